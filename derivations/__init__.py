@@ -1,0 +1,1 @@
+"""The derivations: one script for each section of a paper, from the laws on."""

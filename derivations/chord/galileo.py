@@ -1,0 +1,274 @@
+"""Sections 1 and 2: Galileo's kinematical paradox without resistance, equations (1) to (11)."""
+
+import sympy as sp
+from galileo_sym.derivations.chord.notation import (
+    D,
+    R,
+    g,
+    notation,
+    s,
+    s_AB,
+    s_BC,
+    t,
+    t_AB,
+    t_AC,
+    t_BC,
+    tau,
+    theta,
+    x,
+    x_c,
+    y,
+    y_c,
+)  # fmt: skip
+from sympy import And, Eq, Interval, Tuple, cos, pi, sin, sqrt
+
+from galileo_sym.ledger import (
+    NONNEGATIVE,
+    POSITIVE,
+    Chapter,
+    Domain,
+    Erratum,
+    Independent,
+    TracesOnce,
+    step,
+    tell_chapter,
+)  # fmt: skip
+from galileo_sym.tactics import (
+    at_rest,
+    eliminate_angle,
+    isolate,
+    read_circle,
+    solve_motion,
+    start_of,
+    substitute,
+    trace_circle,
+)
+
+chapter = Chapter("chord.galileo", notation, "2. Galileo's kinematical paradox: a brief review")
+
+QUARTER = Interval(-pi / 2, pi / 2)
+INSIDE = Interval.open(-pi / 2, pi / 2)
+TO_THE_RIGHT = Interval.open(0, pi / 2)
+MOTION = Domain({g: POSITIVE, t: NONNEGATIVE, theta: QUARTER})
+CHORD = Domain({g: POSITIVE, D: POSITIVE, theta: INSIDE})
+FALL = Domain({g: POSITIVE, D: POSITIVE})
+CIRCLE = Domain({g: POSITIVE, t: POSITIVE, theta: QUARTER})
+LENGTH_ZERO = Erratum(
+    ("C10",),
+    "cos(theta) > 0 is needed: at theta = ±pi/2 the chord has length 0 and t_AB is 0/0",
+    Eq(t_AB, sqrt(2 * s_AB / (g * cos(theta))), evaluate=False),
+    Domain({g: POSITIVE, D: POSITIVE, theta: sp.FiniteSet(pi / 2)}, where={t_AB: sqrt(2 * D / g), s_AB: sp.S.Zero}),
+)
+
+chapter.given(
+    "chord.setup",
+    And(Eq(x, s(t) * sin(theta)), Eq(y, s(t) * cos(theta)), Eq(s(0), 0), Eq(s(t).diff(t).subs(t, 0), 0)),
+    MOTION,
+)
+
+chapter.given(
+    "chord.law.frictionless",
+    Eq(s(t).diff(t, 2), g * cos(theta)),
+    MOTION,
+    premises=("chord.setup",),
+)
+
+
+@chapter.derive("chord.eq1", Eq(s(t), g * t**2 / 2 * cos(theta)), MOTION)
+def distance(setup, law__frictionless):
+    """Integrate the law from rest at A."""
+    return solve_motion(law__frictionless.equation, s(t), start_of(setup.parts, s(t)))
+
+
+@chapter.derive(
+    "chord.eq2",
+    Eq(t_AB, sqrt(2 * s_AB / (g * cos(theta)))),
+    Domain({g: POSITIVE, s_AB: POSITIVE, theta: INSIDE}),
+    erratum=LENGTH_ZERO,
+)
+def time_along_chord(eq1):
+    """The bead is at B when s = s_AB; only the positive root is a time after the release."""
+    arrival = Eq(s_AB, eq1.rhs.subs(t, t_AB), evaluate=False)
+    found = isolate(arrival, t_AB, hide={cos(theta): sp.Symbol("c", positive=True)})
+    step("put back in (1)", arrival)
+    return found
+
+
+@chapter.derive("chord.eq3", Eq(s_AB, D * cos(theta)), CHORD)
+def chord_length(setup):
+    """Meet the ray from A with the circle on the diameter AC; the angle at B is then a right one (Thales)."""
+    circle = Eq(x**2 + (y - D / 2) ** 2, (D / 2) ** 2, evaluate=False)
+    ray = {x: setup.of(x).subs(s(t), s_AB), y: setup.of(y).subs(s(t), s_AB)}
+    length = sp.Symbol("length", real=True)
+    on_ray = Eq(sp.simplify(circle.lhs.subs(ray)), circle.rhs, evaluate=False).subs(s_AB, length)
+    found = isolate(on_ray, length, drop={0: "the point A itself"}).rhs
+    to_a = sp.Matrix([ray[x], ray[y]]).subs(s_AB, found)
+    to_c = to_a - sp.Matrix([0, D])
+    step("BA and BC are perpendicular", Eq(to_a.dot(to_c), 0, evaluate=False))
+    return Eq(s_AB, found)
+
+
+@chapter.derive("chord.eq4", Eq(t_AB, sqrt(2 * D / g)), CHORD, erratum=LENGTH_ZERO)
+def descent_time(eq2, eq3):
+    """Put the length of the chord in: the cosines cancel."""
+    return substitute(eq2.equation, {s_AB: eq3.of(s_AB)})
+
+
+@chapter.derive("chord.claim.paradox-AB", Independent(sqrt(2 * D / g), theta), CHORD)
+def paradox(eq4):
+    """The angle is not in (4)."""
+    return Independent(eq4.of(t_AB), theta)
+
+
+@chapter.derive(
+    "chord.claim.paradox-BC",
+    Eq(t_BC, sqrt(2 * D / g)),
+    Domain({g: POSITIVE, D: POSITIVE, theta: TO_THE_RIGHT}),
+)
+def paradox_from_b(law__frictionless, eq3):
+    """BC is inclined by pi/2 - theta, and Pythagoras gives its length D sin(theta)."""
+    steep = law__frictionless.subs(theta, pi / 2 - theta)
+    motion = solve_motion(steep, s(t), at_rest(s(t))).rhs
+    length = isolate(
+        Eq(s_BC**2, D**2 - eq3.of(s_AB) ** 2),
+        s_BC,
+        hide={sp.cos(theta) ** 2: 1 - sp.Symbol("sine", positive=True) ** 2},
+    )
+    length = length.subs(sp.Symbol("sine", positive=True), sin(theta))
+    step("length of BC", length)
+    arrival = Eq(length.rhs, motion.subs(t, t_BC), evaluate=False)
+    step("arrival at C", arrival)
+    return isolate(arrival, t_BC, hide={sin(theta): sp.Symbol("c", positive=True)})
+
+
+@chapter.derive(
+    "chord.claim.free-fall-AC-equals-slide-BC",
+    And(Eq(t_AC, sqrt(2 * D / g)), Eq(t_BC, sqrt(2 * D / g)), Eq(t_AC, t_BC)),
+    Domain({g: POSITIVE, D: POSITIVE, theta: TO_THE_RIGHT}),
+)
+def fall_and_slide(claim__paradox_BC, eq1):
+    """The fall along AC is (1) at theta = 0."""
+    fall = isolate(Eq(D, eq1.rhs.subs({theta: 0, t: t_AC}), evaluate=False), t_AC)
+    slide = Eq(t_BC, claim__paradox_BC.of(t_BC))
+    return And(fall, slide, step("equal times", Eq(t_AC, t_BC)))
+
+
+@chapter.derive("chord.eq7", Eq(2 * sin(theta) * cos(theta), sin(2 * theta)), Domain({theta: QUARTER}))
+def double_sine():
+    """Addition theorem."""
+    return Eq(sp.expand_trig(sin(2 * theta)), sin(2 * theta), evaluate=False)
+
+
+@chapter.derive("chord.eq8", Eq(2 * cos(theta) ** 2, 1 + cos(2 * theta)), Domain({theta: QUARTER}))
+def double_cosine():
+    """Addition theorem."""
+    return Eq(1 + sp.expand_trig(cos(2 * theta)), 1 + cos(2 * theta), evaluate=False)
+
+
+@chapter.derive("chord.eq5", And(Eq(x, s(t) * sin(theta)), Eq(x, g * t**2 / 4 * sin(2 * theta))), MOTION)
+def abscissa(setup, eq1, eq7):
+    """Multiply (1) by the sine and use (7)."""
+    product = sp.expand(setup.of(x).subs(s(t), eq1.rhs))
+    return And(Eq(x, setup.of(x)), Eq(x, product.subs(sin(theta) * cos(theta), eq7.rhs / 2), evaluate=False))
+
+
+@chapter.derive("chord.eq6", And(Eq(y, s(t) * cos(theta)), Eq(y, g * t**2 / 4 * (1 + cos(2 * theta)))), MOTION)
+def ordinate(setup, eq1, eq8):
+    """Multiply (1) by the cosine and use (8)."""
+    product = sp.expand(setup.of(y).subs(s(t), eq1.rhs))
+    return And(Eq(y, setup.of(y)), Eq(y, product.subs(cos(theta) ** 2, eq8.rhs / 2), evaluate=False))
+
+
+def _without_s(premise, coordinate):
+    """The equation of a coordinate that does not mention s(t)."""
+    return next(e for e in premise.parts if e.lhs == coordinate and not e.rhs.has(s))
+
+
+@chapter.derive("chord.eq9", Eq(x**2 + (y - g * t**2 / 4) ** 2, (g * t**2 / 4) ** 2), CIRCLE)
+def synchronous_circle(eq5, eq6):
+    """Eliminate theta."""
+    return eliminate_angle(_without_s(eq5, x), _without_s(eq6, y), 2 * theta, (x, y))
+
+
+@chapter.derive("chord.eq10", Eq(R(t), g * t**2 / 4), Domain({g: POSITIVE, t: NONNEGATIVE}))
+def radius(eq9):
+    """Complete the squares in (9)."""
+    return Eq(R(t), read_circle(eq9.equation, x, y).radius)
+
+
+CENTRE = Tuple(x_c(t), y_c(t))
+
+
+@chapter.derive(
+    "chord.claim.centre-accel",
+    And(Eq(CENTRE, Tuple(0, g * t**2 / 4)), Eq(x_c(t).diff(t, 2), 0), Eq(y_c(t).diff(t, 2), g / 2)),
+    Domain({g: POSITIVE, t: NONNEGATIVE}),
+)
+def centre_acceleration(eq9):
+    """Read the centre off (9) and differentiate it twice."""
+    centre = read_circle(eq9.equation, x, y).centre
+    accelerations = (Eq(c(t).diff(t, 2), sp.diff(e, t, 2)) for c, e in zip((x_c, y_c), centre, strict=True))
+    return And(Eq(CENTRE, Tuple(*centre)), *accelerations)
+
+
+@chapter.derive(
+    "chord.claim.sync-curve",
+    TracesOnce(
+        Tuple(g * t**2 / 4 * sin(2 * theta), g * t**2 / 4 * (1 + cos(2 * theta))),
+        theta,
+        QUARTER,
+        Eq(x**2 + (y - g * t**2 / 4) ** 2, (g * t**2 / 4) ** 2),
+        sp.true,
+        Tuple(x, y),
+        sp.atan(x / y),
+    ),
+    CIRCLE,
+)
+def whole_circle(eq5, eq6, eq9):
+    """Seen from the centre, the bead is at the angle 2 theta, which runs through a whole turn."""
+    point = (_without_s(eq5, x).rhs, _without_s(eq6, y).rhs)
+    return trace_circle(point, theta, QUARTER, eq9.equation, sp.true, (x, y), sp.atan(x / y))
+
+
+@chapter.derive(
+    "chord.claim.expanding-circle-g2",
+    And(
+        Eq(x**2 + (y - g * t**2 / 4) ** 2, (g * t**2 / 4) ** 2),
+        Eq((0 - x_c(t)) ** 2 + (0 - y_c(t)) ** 2, (g * t**2 / 4) ** 2),
+        Eq(CENTRE, Tuple(0, g * t**2 / 4)),
+        Eq(y_c(t).diff(t, 2), g / 2),
+    ),
+    CIRCLE,
+)
+def expanding_circle(eq5, eq6, eq9, claim__centre_accel):
+    """All beads are on (9), which passes through A; the centre has a constant acceleration."""
+    at_a = eq9.equation.subs({x: 0, y: 0})
+    on_it = Eq(eq9.lhs.subs({x: _without_s(eq5, x).rhs, y: _without_s(eq6, y).rhs}), eq9.rhs, evaluate=False)
+    step("every bead is on the circle", on_it)
+    step("A is on the circle", at_a) if at_a != sp.true else None
+    centre = claim__centre_accel.of(x_c(t)), claim__centre_accel.of(y_c(t))
+    through_a = Eq(x_c(t) ** 2 + y_c(t) ** 2, centre[0] ** 2 + centre[1] ** 2, evaluate=False)
+    return And(eq9.equation, through_a, Eq(CENTRE, Tuple(*centre)), Eq(y_c(t).diff(t, 2), sp.diff(centre[1], t, 2)))
+
+
+@chapter.derive("chord.eq11", Eq(tau, sqrt(2 * D / g)), FALL)
+def free_fall(eq1):
+    """(1) along the vertical diameter."""
+    return isolate(Eq(D, eq1.rhs.subs({theta: 0, t: tau}), evaluate=False), tau)
+
+
+@chapter.derive(
+    "chord.claim.sync-circle-at-tau",
+    Eq(x**2 + (y - D / 2) ** 2, (D / 2) ** 2),
+    Domain({g: POSITIVE, D: POSITIVE, theta: QUARTER}, where={t: tau}),
+)
+def circle_at_tau(eq9, eq11, eq5, eq6):
+    """Put t = tau in (9): the circle ABC."""
+    at_tau = eq9.equation.subs(t, tau).subs(tau, eq11.rhs)
+    for coordinate, premise in ((x, eq5), (y, eq6)):
+        step("coordinate of a bead at tau", _without_s(premise, coordinate))
+    return at_tau
+
+
+if __name__ == "__main__":
+    tell_chapter(chapter.name)

@@ -1,0 +1,190 @@
+"""The ledger: every entry of every chapter, derived when it is asked for."""
+
+from __future__ import annotations
+
+import difflib
+import importlib
+import pkgutil
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+
+from .check import environment, judge, refutation, run
+from .compare import compare
+from .statement import Chapter, Declaration
+from .verdict import Kind, Verdict
+
+
+class UnknownEntry(KeyError):
+    """There is no entry or chapter of that name; the message gives the nearest ones."""
+
+    def __init__(self, name, known):
+        near = difflib.get_close_matches(name, known, n=4, cutoff=0.4)
+        hint = f"; nearest: {', '.join(near)}" if near else ""
+        super().__init__(f"no entry or chapter {name!r}{hint}")
+
+    def __str__(self):
+        return self.args[0]
+
+
+class Entry:
+    """One statement of a paper, with what is known about it. Everything is derived on first access."""
+
+    def __init__(self, declaration: Declaration, ledger: Ledger, chapter: Chapter):
+        self.declaration = declaration
+        self.chapter = chapter
+        self._ledger = ledger
+
+    def __repr__(self):
+        return f"<Entry {self.id}>"
+
+    @property
+    def id(self) -> str:
+        return self.declaration.id
+
+    @property
+    def paper(self) -> str:
+        return self.declaration.item.paper
+
+    @property
+    def kind(self) -> str:
+        """What the paper makes of it: law, definition, equation, claim, lemma, theorem, limit; or stable."""
+        return self.declaration.item.kind
+
+    @property
+    def label(self) -> str:
+        """Where it is printed."""
+        return self.declaration.item.label
+
+    @property
+    def doc(self) -> str:
+        """How it is derived, in words."""
+        return self.declaration.doc
+
+    @property
+    def printed(self):
+        """The statement, transcribed from the paper (corrected, if there is an erratum)."""
+        return self.declaration.printed
+
+    @property
+    def assumptions(self):
+        """The conditions under which it holds, as one SymPy Boolean."""
+        return self.declaration.domain.condition
+
+    @property
+    def premises(self) -> tuple[str, ...]:
+        """Ids of the statements it is derived from."""
+        return self.declaration.premises
+
+    @cached_property
+    def _outcome(self):
+        return run(self.declaration, {i: self._ledger[i].result for i in self.premises})
+
+    @property
+    def result(self):
+        """The derived statement; None if the derivation failed (the verdict says why)."""
+        return self._outcome.result
+
+    @property
+    def steps(self) -> tuple:
+        """The steps of the derivation, each with `.text` and `.statement`."""
+        return self._outcome.steps
+
+    @cached_property
+    def _environment(self):
+        return environment(self.declaration, self._outcome, {i: self._ledger[i].result for i in self.premises})
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """proved, certified, checked, refuted, vacuous, error, law or definition."""
+        premises = {i: self._ledger[i].result for i in self.premises}
+        verdicts = {i: self._ledger[i].verdict for i in self.premises}
+        return judge(self.declaration, self._outcome, premises, verdicts)
+
+    @property
+    def erratum(self):
+        """Where the print is wrong (`ids`, `text`, `printed`), or None."""
+        return self.declaration.erratum
+
+    @cached_property
+    def erratum_verdict(self) -> Verdict | None:
+        """The verdict of the statement as printed: refuted. None where nothing printed is false."""
+        return self.erratum and refutation(self.erratum, self.declaration, self._environment)
+
+    def compare(self, statement) -> Verdict:
+        """Hold another statement against the derived one, as equivalence under the assumptions.
+
+        Parameters
+        ----------
+        statement : sympy Boolean, or str
+            Symbols are matched by name.
+
+        Returns
+        -------
+        Verdict
+            proved; refuted, with a counterexample; or checked, if neither a difference nor a proof was found.
+        """
+        if self.result is None:
+            return Verdict(Kind.ERROR, f"{self.id} has no derived statement: {self.verdict.method}")
+        return compare(statement, self.result, self.declaration, self._environment)
+
+
+class Ledger(Mapping):
+    """All entries by id, in the order of the chapters. `Ledger.load()` reads the chapters and derives nothing."""
+
+    def __init__(self, chapters: list[Chapter]):
+        self.chapters = {c.name: c for c in chapters}
+        self._entries = {i: Entry(d, self, c) for c in chapters for i, d in c.declarations.items()}
+        total = sum(len(c.declarations) for c in chapters)
+        if len(self._entries) != total:
+            raise ValueError("an id is declared in two chapters")
+        self._check_premises()
+
+    def _check_premises(self):
+        for entry in self._entries.values():
+            missing = [p for p in entry.premises if p not in self._entries]
+            if missing:
+                raise ValueError(f"{entry.id} builds on {', '.join(missing)}, which no chapter declares")
+
+    @classmethod
+    def load(cls, package: str = "galileo_sym.derivations") -> Ledger:
+        """Read every chapter below a package."""
+        return cls(_chapters(package))
+
+    def __getitem__(self, identifier: str) -> Entry:
+        try:
+            return self._entries[identifier]
+        except KeyError:
+            raise UnknownEntry(identifier, [*self._entries, *self.chapters]) from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._entries)
+
+    def __len__(self) -> int:
+        return len(self._entries)
+
+    def select(self, names: list[str]) -> list[Entry]:
+        """Entries by id or by chapter (``chord.galileo``, or ``chord`` for all of that paper's); all for no names."""
+        if not names:
+            return list(self._entries.values())
+        chosen: dict[str, Entry] = {}
+        for name in names:
+            chosen |= {e.id: e for e in self._named(name)}
+        return list(chosen.values())
+
+    def _named(self, name):
+        if name in self._entries:
+            return [self._entries[name]]
+        inside = [e for e in self._entries.values() if e.chapter.name == name or e.chapter.name.startswith(name + ".")]
+        if not inside:
+            raise UnknownEntry(name, [*self._entries, *self.chapters])
+        return inside
+
+
+def _chapters(package):
+    root = importlib.import_module(package)
+    found = []
+    for module in pkgutil.walk_packages(root.__path__, package + "."):
+        chapter = getattr(importlib.import_module(module.name), "chapter", None)
+        if isinstance(chapter, Chapter):
+            found.append(chapter)
+    return found

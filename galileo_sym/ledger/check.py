@@ -1,0 +1,148 @@
+"""From a declaration to a verdict: derive, hold against the print, try in numbers, check dimensions and premises."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+
+import sympy as sp
+
+from . import dimensions, numeric
+from .derivation import Premise, recording
+from .domain import REAL, Domain, EmptyDomain
+from .environment import as_algebra, definitions, resolve
+from .equivalence import equivalent
+from .statement import Declaration, Erratum
+from .verdict import Kind, Verdict
+
+POINTS = 10  # beside the edge cases of every range
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The result of running a derivation: the statement reached, and the way there."""
+
+    result: sp.Basic | None
+    steps: tuple = ()
+    tactics: tuple = ()
+    problem: str = ""
+
+
+def run(declaration: Declaration, premises: dict) -> Outcome:
+    """Run a derivation on its premises (statements by id)."""
+    if declaration.function is None:
+        return Outcome(declaration.printed)
+    given = [Premise(i, premises[i]) for i in declaration.premises]
+    with recording() as record:
+        try:
+            result = declaration.function(*given)
+            problem = _defect(result, given)
+        except Exception as error:  # any failure of SymPy or of a tactic is this entry's verdict, not a crash
+            result, problem = None, f"{type(error).__name__}: {error}"
+    return Outcome(result, tuple(record.steps), tuple(record.tactics), problem)
+
+
+def _defect(result, given):
+    idle = [p.id for p in given if not p.used]
+    if idle:
+        return f"premises never used: {', '.join(idle)}"
+    if not isinstance(result, sp.logic.boolalg.Boolean):
+        return f"the derivation returned {type(result).__name__}, not a statement"
+    return ""
+
+
+def environment(declaration: Declaration, outcome: Outcome, premises: dict) -> dict:
+    """What the symbols stand for: as the assumptions say, else the premises, else the result, else a step."""
+    given = {}
+    for statement in (*(s.statement for s in outcome.steps), outcome.result, *premises.values()):
+        given.update(definitions(statement))
+    given.update(declaration.domain.where)
+    return {k: v for k, v in given.items() if k not in declaration.domain.ranges}
+
+
+def judge(declaration: Declaration, outcome: Outcome, premises: dict, verdicts: dict) -> Verdict:
+    """The verdict of an entry.
+
+    Parameters
+    ----------
+    premises, verdicts : dict
+        Derived statements and verdicts of the premises, by id.
+    """
+    start = time.perf_counter()
+    kind, method, example = _judge(declaration, outcome, premises, verdicts)
+    return Verdict(kind, method, time.perf_counter() - start, example)
+
+
+def _judge(declaration, outcome, premises, verdicts):
+    if outcome.problem:
+        return Kind.ERROR, outcome.problem, None
+    shaky = [f"{i} is {v.kind.value}" for i, v in verdicts.items() if not v.kind.sound]
+    if shaky:
+        return Kind.ERROR, "; ".join(shaky), None
+    given = environment(declaration, outcome, premises)
+    try:
+        for statement in (declaration.printed, outcome.result, *(s.statement for s in outcome.steps)):
+            dimensions.check(statement, declaration.notation.dimensions)
+        trials = [("printed", declaration.printed), ("result", outcome.result)]
+        trials += [(f"step '{s.text}'", s.statement) for s in outcome.steps]
+        if declaration.function is None:
+            return _given(declaration)
+        for name, statement in trials:
+            failure = counterexample(statement, declaration.domain, given, declaration.id)
+            if failure is not None:
+                return Kind.REFUTED, f"{name} fails", failure
+    except EmptyDomain as problem:
+        return Kind.VACUOUS, str(problem), None
+    except (dimensions.Inhomogeneous, numeric.Untestable) as problem:
+        return Kind.ERROR, f"{type(problem).__name__}: {problem}", None
+    how = equivalent(outcome.result, declaration.printed)
+    method = ", ".join((*outcome.tactics, f"as printed: {how}" if how else "equal in numbers only"))
+    return (Kind.PROVED if how else Kind.CHECKED), method, None
+
+
+def _given(declaration):
+    declaration.domain.points(1, declaration.id)
+    return Kind(declaration.item.kind), "given", None
+
+
+def counterexample(statement, domain: Domain, given: dict, seed: str) -> dict | None:
+    """A point inside the assumptions where a statement fails, or None if it holds at every point tried."""
+    ready, ranges = ready_to_try(statement, domain, given)
+    for point in Domain(ranges).points(POINTS, seed):
+        if not numeric.holds(ready, point):
+            return _show(statement, point, given)
+    return None
+
+
+def ready_to_try(statement, domain, given):
+    """The statement in independent variables alone; unknown functions that are left become variables."""
+    keep = frozenset(domain.ranges)
+    ready = resolve(statement, given, keep)
+    ready, unknown = as_algebra(ready)
+    return ready, {**domain.ranges, **dict.fromkeys(unknown.values(), REAL)}
+
+
+def _show(statement, point, given):
+    shown = {str(s): digits(v) for s, v in point.items()}
+    for symbol in sorted(statement.free_symbols - set(point), key=str):
+        if symbol in given:
+            try:
+                shown[str(symbol)] = digits(numeric.value(resolve(symbol, given, frozenset(point)), point, 30))
+            except (numeric.Untestable, ZeroDivisionError):
+                shown[str(symbol)] = "undefined"
+    return shown
+
+
+def digits(number):
+    return str(sp.N(sp.sympify(number), 12))
+
+
+def refutation(erratum: Erratum, declaration: Declaration, given: dict) -> Verdict | None:
+    """The verdict of a statement as printed: refuted, or the erratum is wrong."""
+    if erratum.printed is None:
+        return None
+    start = time.perf_counter()
+    domain = erratum.domain or declaration.domain
+    found = counterexample(erratum.printed, domain, {**given, **domain.where}, f"{declaration.id} as printed")
+    kind, method = (Kind.REFUTED, "as printed") if found else (Kind.CHECKED, "as printed: no counterexample found")
+    return Verdict(kind, method, time.perf_counter() - start, found)

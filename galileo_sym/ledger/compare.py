@@ -1,0 +1,116 @@
+"""Hold any statement against a derived one: equivalence under the entry's assumptions."""
+
+from __future__ import annotations
+
+import random
+import time
+
+import mpmath
+import sympy as sp
+from mpmath import mp
+from sympy.logic.boolalg import BooleanAtom
+
+from . import numeric
+from .check import POINTS, counterexample, digits, ready_to_try
+from .environment import definitions
+from .equivalence import equivalent
+from .verdict import Kind, Verdict
+
+STARTS = 6  # starting values for the search of a root of the other statement
+
+
+def compare(statement, derived, declaration, given) -> Verdict:
+    """Whether `statement` says the same as `derived` inside the declaration's assumptions.
+
+    Returns
+    -------
+    Verdict
+        proved, refuted (with a counterexample), or checked (no difference found, and no proof either).
+    """
+    start = time.perf_counter()
+    kind, method, example = _compare(declaration.notation.adopt(statement), derived, declaration, given)
+    return Verdict(kind, method, time.perf_counter() - start, example)
+
+
+def _compare(other, derived, declaration, given):
+    own = definitions(derived)
+    known = {**given, **{k: v for k, v in own.items() if k not in declaration.domain.ranges}}
+    try:
+        failure = None
+        if not isinstance(other, BooleanAtom) or other == sp.false:
+            failure = counterexample(other, declaration.domain, known, declaration.id)
+        if failure is not None:
+            return Kind.REFUTED, "the derived statement holds here, the other does not", failure
+        failure = _other_way(other, derived, declaration.domain, known, declaration.id)
+        if failure is not None:
+            return Kind.REFUTED, "the other statement holds here, the derived one does not", failure
+    except numeric.Untestable as problem:
+        return Kind.ERROR, f"cannot be compared: {problem}", None
+    how = equivalent(derived, other)
+    return (Kind.PROVED, how, None) if how else (Kind.CHECKED, "equal in numbers only", None)
+
+
+def _other_way(other, derived, domain, given, seed):
+    """A point where `other` holds and `derived` fails, looked for by moving one dependent variable."""
+    for symbol in sorted(_dependent(derived, domain, given), key=str):
+        found = _move(symbol, other, derived, domain, given, seed)
+        if found is not None:
+            return found
+    return None
+
+
+def _dependent(derived, domain, given):
+    free = {s for s in derived.free_symbols if s in given and s not in domain.ranges}
+    return {s for s in free if isinstance(s, sp.Symbol)}
+
+
+def _move(symbol, other, derived, domain, given, seed):
+    known = {k: v for k, v in given.items() if k != symbol}
+    loose_other, _ = ready_to_try(other, domain, known)
+    loose_derived, ranges = ready_to_try(derived, domain, known)
+    if symbol not in loose_derived.free_symbols:
+        return None
+    place, _ = ready_to_try(sp.Eq(symbol, given[symbol], evaluate=False), domain, known)
+    rng = random.Random(seed)
+    for point in type(domain)(ranges).points(POINTS // 2, seed):
+        try:
+            here = numeric.value(place.rhs, point, 60)
+        except ZeroDivisionError:
+            continue
+        for guess in _roots(loose_other, symbol, point, here, rng):
+            moved = {**point, symbol: guess}
+            if numeric.holds(loose_other, moved) and not numeric.holds(loose_derived, moved):
+                return {str(s): digits(v) for s, v in moved.items()}
+    return None
+
+
+def _roots(statement, symbol, point, near, rng):
+    """Values of `symbol` that satisfy a statement: any, if it does not restrict it; else roots near and far."""
+    if symbol not in statement.free_symbols:
+        return [near + mpmath.mpf(1) / 3]
+    if not isinstance(statement, sp.Eq):
+        return []
+    found = []
+    for _ in range(STARTS):
+        start = near * mpmath.mpf(rng.uniform(-3, 3)) + mpmath.mpf(rng.uniform(-1, 1))
+        root = _newton(statement.lhs - statement.rhs, symbol, point, start)
+        if root is not None and _allowed(symbol, root):
+            found.append(root)
+    return found
+
+
+def _newton(expr, symbol, point, start):
+    def f(x):
+        return numeric.value(expr, {**point, symbol: x}, 260)
+
+    try:
+        with mp.workdps(260):
+            root = mp.findroot(f, start, tol=mp.mpf(10) ** -480, maxsteps=60, verify=False)
+            good = mp.isfinite(root) and abs(mp.im(root)) == 0 and abs(f(root)) < mp.mpf(10) ** -200
+            return mp.re(root) if good else None
+    except (ValueError, ZeroDivisionError, TypeError, numeric.Untestable):
+        return None
+
+
+def _allowed(symbol, root):
+    return not (symbol.is_positive and root <= 0) and not (symbol.is_nonnegative and root < 0)

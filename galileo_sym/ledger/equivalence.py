@@ -1,0 +1,205 @@
+"""Symbolic proof that two statements say the same."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+from .predicates import Claim
+
+_ORDERED = (sp.StrictGreaterThan, sp.GreaterThan, sp.StrictLessThan, sp.LessThan)
+
+
+def equivalent(one, other) -> str | None:
+    """How `one` and `other` are shown equivalent, or None if no proof was found.
+
+    None is not a refutation: whoever calls tries numbers.
+    """
+    if one == other:
+        return "identical"
+    if isinstance(one, Claim) and isinstance(other, Claim):
+        return _claims(one, other)
+    if isinstance(one, Relational) and isinstance(other, Relational):
+        return _relations(one, other)
+    if isinstance(one, sp.And) and isinstance(other, sp.And):
+        return _conjunctions(one, other)
+    if isinstance(one, sp.Or | sp.Not | sp.Implies | sp.Equivalent) and one.func == other.func:
+        return _pairwise(one.args, other.args)
+    return None
+
+
+def _pairwise(ones, others):
+    if len(ones) != len(others):
+        return None
+    ways = [_same_thing(a, b) for a, b in zip(ones, others, strict=True)]
+    return _strongest(ways)
+
+
+def _strongest(ways):
+    if any(w is None for w in ways):
+        return None
+    named = [w for w in ways if w != "identical"]
+    return named[-1] if named else "identical"
+
+
+def _same_thing(a, b):
+    if isinstance(a, Relational | sp.And | sp.Or | sp.Not | Claim):
+        return equivalent(a, b)
+    if isinstance(a, sp.Tuple) and isinstance(b, sp.Tuple):
+        return _pairwise(a.args, b.args)
+    if isinstance(a, sp.Interval) and isinstance(b, sp.Interval):
+        ends = _pairwise((a.start, a.end), (b.start, b.end))
+        return ends if (a.left_open, a.right_open) == (b.left_open, b.right_open) else None
+    if isinstance(a, sp.Expr) and isinstance(b, sp.Expr):
+        return is_zero(a - b)
+    return "identical" if a == b else None
+
+
+def _claims(one, other):
+    if one.func != other.func:
+        return None
+    return _pairwise(one.args, other.args)
+
+
+def _conjunctions(one, other):
+    left = list(other.args)
+    ways = []
+    for part in one.args:
+        for candidate in left:
+            way = _same_thing(part, candidate)
+            if way is not None:
+                left.remove(candidate)
+                ways.append(way)
+                break
+        else:
+            return None
+    return None if left else _strongest(ways)
+
+
+def _relations(one, other):
+    if isinstance(one, sp.Eq) and isinstance(other, sp.Eq):
+        return _equations(one, other)
+    if isinstance(one, sp.Ne) and isinstance(other, sp.Ne):
+        return _equations(sp.Eq(*one.args, evaluate=False), sp.Eq(*other.args, evaluate=False))
+    if isinstance(one, _ORDERED) and isinstance(other, _ORDERED):
+        return _inequalities(one, other)
+    return None
+
+
+def _equations(one, other):
+    for a, b in ((other.lhs, other.rhs), (other.rhs, other.lhs)):
+        way = _same_thing(one.lhs, a)
+        if way == "identical":
+            inner = _same_thing(one.rhs, b)
+            if inner is not None:
+                return inner
+    if isinstance(one.lhs, sp.Tuple) or isinstance(other.lhs, sp.Tuple):
+        return None
+    if one.has(sp.Limit) or other.has(sp.Limit):
+        return None
+    return _proportional(one.lhs - one.rhs, other.lhs - other.rhs, lambda r: r.is_nonzero, "proportional")
+
+
+def _inequalities(one, other):
+    strict = (sp.StrictGreaterThan, sp.StrictLessThan)
+    if isinstance(one, strict) != isinstance(other, strict):
+        return None
+    return _proportional(_excess(one), _excess(other), lambda r: r.is_positive, "positive multiple")
+
+
+def _excess(relation):
+    """The expression that an inequality says to be positive (or not negative)."""
+    return relation.gts - relation.lts
+
+
+def _proportional(f, h, allowed, name):
+    way = is_zero(f - h)
+    if way is not None:
+        return way
+    if h == 0:
+        return None
+    for tidy in (sp.cancel, sp.simplify):
+        ratio = sp.factor(tidy(sp.together(f / h)))
+        if allowed(ratio) and is_zero(f - ratio * h) is not None:
+            return f"{name} ({ratio})"
+    return None
+
+
+def is_zero(expr) -> str | None:
+    """The name of the first move that reduces an expression to 0, or None."""
+    expr = sp.sympify(expr)
+    if expr == 0:
+        return "identical"
+    for name, move in _MOVES:
+        if move(expr) == 0:
+            return name
+    return None
+
+
+def _rational(expr):
+    return sp.cancel(sp.together(expr))
+
+
+def _without_w(expr):
+    """Write every W(q) as a symbol w, with e^w = q/w."""
+    for w in sorted(expr.atoms(sp.LambertW), key=lambda e: (-sp.count_ops(e), str(e))):
+        name = sp.Dummy("w", real=True)
+        expr = expr.replace(lambda e: isinstance(e, sp.exp) and e.args[0].has(w), lambda e: _exp_of(e.args[0], w))  # noqa: B023
+        expr = expr.xreplace({w: name})
+    return expr
+
+
+def _exp_of(exponent, w):
+    rest = sp.expand(exponent)
+    times = rest.coeff(w)
+    if not times.is_Integer or (rest - times * w).has(w):
+        return sp.exp(exponent)
+    return (w.args[0] / w) ** times * sp.exp(rest - times * w)
+
+
+def _w_rational(expr):
+    return _rational(sp.powsimp(sp.expand(_without_w(expr)))) if expr.has(sp.LambertW) else expr
+
+
+def _trig_polynomial(expr):
+    """Reduce a rational function of sines and cosines modulo s^2 + c^2 = 1."""
+    if not expr.has(sp.sin, sp.cos, sp.tan, sp.cot):
+        return expr
+    expr = sp.expand_trig(expr.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)))
+    expr = expr.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
+    over = sp.numer(sp.together(expr))
+    angles = sorted({a.args[0] for a in over.atoms(sp.sin, sp.cos)}, key=sp.default_sort_key)
+    for angle in angles:
+        s, c = sp.Dummy("s"), sp.Dummy("c")
+        poly = sp.expand(over.xreplace({sp.sin(angle): s, sp.cos(angle): c}))
+        if not poly.is_polynomial(c):
+            continue
+        over = sp.rem(poly, c**2 + s**2 - 1, c).xreplace({s: sp.sin(angle), c: sp.cos(angle)})
+    return sp.expand(over)
+
+
+def _radicals(expr):
+    """a - b with both square roots of positive things: compare the squares (principal roots are not negative)."""
+    terms = sp.Add.make_args(sp.expand(expr))
+    if len(terms) != 2:
+        return expr
+    a, b = terms[0], -terms[1]
+    if not (a.is_nonnegative and b.is_nonnegative) and not (_is_root(a) and _is_root(b)):
+        return expr
+    return sp.simplify(sp.expand(a**2) - sp.expand(b**2))
+
+
+def _is_root(expr):
+    factors = sp.Mul.make_args(expr)
+    return all(f.is_positive or (f.is_Pow and f.exp in (sp.S.Half, -sp.S.Half)) for f in factors)
+
+
+_MOVES = (
+    ("expand", sp.expand),
+    ("common denominator", _rational),
+    ("W e^W = q", _w_rational),
+    ("sin^2 + cos^2 = 1", _trig_polynomial),
+    ("squares of positive roots", _radicals),
+    ("simplify", sp.simplify),
+    ("exponentials", lambda e: sp.simplify(sp.powsimp(sp.expand(e.rewrite(sp.exp))))),
+)

@@ -1,0 +1,162 @@
+"""Statements tried in numbers: 50 digits at least, more until the answer is certain."""
+
+from __future__ import annotations
+
+import mpmath
+import sympy as sp
+from mpmath import mp
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFunction
+
+from .predicates import Claim, OneSignChange
+
+DIGITS = (80, 200, 500, 1200)  # tried in turn
+AGREE = 50  # digits in which two sides must agree
+
+
+class Untestable(ValueError):
+    """The statement has a symbol without a value, or a value that cannot be computed."""
+
+
+def value(expr, point, digits):
+    """The value of an expression at a point, as an mpmath number computed with `digits` digits."""
+    expr = _plug_limits(sp.sympify(expr), point, digits)
+    symbols = sorted(expr.free_symbols, key=lambda s: s.name)
+    missing = [s for s in symbols if s not in point]
+    if missing:
+        raise Untestable(f"no value for {', '.join(map(str, missing))} in {expr}")
+    with mp.workdps(digits):
+        numbers = [_number(point[s], digits) for s in symbols]
+        return mp.mpmathify(_compiled(tuple(symbols), expr)(*numbers))
+
+
+def _number(exact, digits):
+    if isinstance(exact, mpmath.mpf | mpmath.mpc):
+        return exact
+    return mp.mpmathify(sp.N(exact, digits + 5))
+
+
+_CACHE: dict = {}
+
+
+def _compiled(symbols, expr):
+    key = (symbols, expr)
+    if key not in _CACHE:
+        _CACHE[key] = sp.lambdify(symbols, expr, modules=[_extra_functions(expr), "mpmath"])
+    return _CACHE[key]
+
+
+def _extra_functions(expr):
+    """SymPy functions of ours that mpmath does not know carry their own `mp_value`."""
+    return {f.func.__name__: f.func.mp_value for f in expr.atoms(sp.Function) if hasattr(f.func, "mp_value")}
+
+
+def _plug_limits(expr, point, digits):
+    """Replace every Limit by its value very near the point; the distance is 10^-digits/4."""
+    for limit in [e for e in sp.preorder_traversal(expr) if isinstance(e, sp.Limit)]:
+        f, x, at, direction = limit.args
+        expr = expr.xreplace({limit: _near(f, x, at, str(direction), point, digits)})
+    return expr
+
+
+def _near(f, x, at, direction, point, digits):
+    h = sp.Integer(10) ** (-(digits - 10) // 1)
+    if at in (sp.oo, -sp.oo):
+        place = sp.sign(at) / h
+    else:
+        place = at + h if direction == "+" else at - h
+    here = value(f, {**point, x: place}, 4 * digits)
+    return sp.Float(here, 4 * digits)
+
+
+def holds(statement, point) -> bool:
+    """Whether a statement is true at a point (a mapping of symbols to exact numbers)."""
+    if statement in (sp.true, True):
+        return True
+    if statement in (sp.false, False):
+        return False
+    if isinstance(statement, OneSignChange):
+        return statement.signs_of(lambda f, x, at: sign(f, _bind(point, {x: at})))
+    if isinstance(statement, Claim):
+        return all(holds(part, _bind(point, values)) for part, values in statement.trials())
+    if isinstance(statement, Relational):
+        return _relation(statement, point)
+    if isinstance(statement, sp.Not):
+        return not holds(statement.args[0], point)
+    if isinstance(statement, BooleanFunction):
+        parts = [holds(a, point) for a in statement.args]
+        return bool(statement.func(*map(sp.sympify, parts)))
+    raise Untestable(f"not a statement: {statement!r}")
+
+
+def _bind(point, values):
+    """The point with the variables of a claim added; their values may depend on the point."""
+    return {**point, **{x: sp.sympify(v).subs(point) for x, v in values.items()}}
+
+
+def sign(expr, point) -> int:
+    """The sign of a real expression at a point: 0 if it vanishes to 50 digits of its terms at every precision."""
+    for digits in DIGITS:
+        size, scale = _size(expr, point, digits)
+        if abs(size) > scale * mp.mpf(10) ** (-(digits * 2) // 3):
+            return 1 if size > 0 else -1
+    return 0
+
+
+def _size(expr, point, digits):
+    """The value of a real expression and the size of its largest term."""
+    total = value(expr, point, digits)
+    if abs(mp.im(total)) > abs(mp.re(total)) * mp.mpf(10) ** (-AGREE) + mp.mpf(10) ** (-digits // 2):
+        raise Untestable(f"{expr} is not real at {point}")
+    terms = sp.Add.make_args(expr)
+    scale = max((abs(value(t, point, digits)) for t in terms), default=abs(total)) if len(terms) > 1 else abs(total)
+    return mp.re(total), scale
+
+
+_SIGN_RULES = {
+    sp.StrictGreaterThan: lambda s: s > 0,
+    sp.GreaterThan: lambda s: s >= 0,
+    sp.StrictLessThan: lambda s: s < 0,
+    sp.LessThan: lambda s: s <= 0,
+}
+
+
+def _relation(relation, point):
+    if isinstance(relation, sp.Eq | sp.Ne):
+        same = _equal(relation.lhs, relation.rhs, point)
+        return same if isinstance(relation, sp.Eq) else not same
+    try:
+        return _SIGN_RULES[type(relation)](sign(relation.lhs - relation.rhs, point))
+    except Untestable as problem:
+        if "not real" in str(problem):
+            return False
+        raise
+
+
+def _equal(left, right, point):
+    if isinstance(left, sp.Tuple | tuple) or isinstance(right, sp.Tuple | tuple):
+        return all(_equal(a, b, point) for a, b in zip(left, right, strict=True))
+    before = None
+    for digits in DIGITS:
+        try:
+            a, b = value(left, point, digits), value(right, point, digits)
+            scale = max(abs(a), abs(b), *(abs(value(t, point, digits)) for t in _terms(left, right)))
+        except ZeroDivisionError:
+            return False
+        if not (mp.isfinite(a) and mp.isfinite(b)):
+            return a == b
+        gap = abs(a - b)
+        if gap <= scale * mp.mpf(10) ** -AGREE or _shrinks(gap, before, digits):
+            return True
+        before = (gap, digits)
+    return False
+
+
+def _shrinks(gap, before, digits):
+    """A gap that goes with the precision is rounding: both sides are 0 there."""
+    return before is not None and gap <= before[0] * mp.mpf(10) ** (-(digits - before[1]) // 2)
+
+
+def _terms(*sides):
+    """Terms whose size says how much a side may cancel; limits stand for themselves."""
+    return [t for side in sides for t in sp.Add.make_args(sp.sympify(side)) if not side.has(sp.Limit)]

@@ -1,0 +1,141 @@
+"""Claims that are not equations: monotony, uniqueness, maxima, curves traced once, independence.
+
+Each is a frozen SymPy object that knows how to be tried numerically. A tactic proves one by returning it.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import sympy as sp
+from sympy.logic.boolalg import BooleanFunction
+
+
+class Claim(BooleanFunction):
+    """A statement about a function as a whole; subclasses name their arguments and give `trials`."""
+
+    @classmethod
+    def eval(cls, *args):
+        return None
+
+    @property
+    def bound_symbols(self):
+        """Variables that the claim quantifies."""
+        return {self.args[1]}
+
+    @property
+    def free_symbols(self):
+        return super().free_symbols - self.bound_symbols
+
+    def trials(self):
+        """Quantifier-free consequences: pairs of a Boolean and the values of the variables it is to be tried at."""
+        raise NotImplementedError
+
+    def check_dimensions(self, agree):
+        """Call `agree` with expressions that must have one dimension."""
+        f, x, interval = self.args[:3]
+        agree(f)
+        ends = [e for e in (interval.start, interval.end) if e.is_finite is not False]
+        agree(x, *ends)
+
+
+FIRST, SECOND = sp.Dummy("first", real=True), sp.Dummy("second", real=True)
+
+
+def spread(interval, count=18):
+    """Points across an interval, open ends approached and infinite ones reached far out."""
+    low, high = interval.start, interval.end
+    grid = [sp.Rational(i, count - 1) for i in range(count)]
+    past = sp.Rational(51, 50)
+    off = sp.Rational(1, 10**6)
+    if low is sp.S.NegativeInfinity and high is sp.S.Infinity:
+        return [sp.tan(sp.pi * (g - sp.Rational(1, 2)) * sp.Rational(99, 100)) for g in grid]
+    if high is sp.S.Infinity:
+        return [low + g / (past - g) + (off if interval.left_open else 0) for g in grid]
+    if low is sp.S.NegativeInfinity:
+        return [high - g / (past - g) - (off if interval.right_open else 0) for g in reversed(grid)]
+    inset = sp.Rational(1, 10**4)
+    left = inset if interval.left_open else 0
+    right = inset if interval.right_open else 0
+    return [low + (high - low) * (left + g * (1 - left - right)) for g in grid]
+
+
+class StrictlyIncreasing(Claim):
+    """``StrictlyIncreasing(f, x, interval)``."""
+
+    order = sp.StrictLessThan
+
+    def trials(self):
+        f, x, interval = self.args
+        ordered = self.order(f.subs(x, FIRST), f.subs(x, SECOND), evaluate=False)
+        return [(ordered, {FIRST: a, SECOND: b}) for a, b in pairwise(spread(interval))]
+
+
+class StrictlyDecreasing(StrictlyIncreasing):
+    """``StrictlyDecreasing(f, x, interval)``."""
+
+    order = sp.StrictGreaterThan
+
+
+class ExactlyOneRoot(Claim):
+    """``ExactlyOneRoot(f, x, interval)``: f changes sign across the interval, and vanishes in it once only."""
+
+    def trials(self):
+        f, x, interval = self.args
+        points = spread(interval, 40)
+        return [(OneSignChange(f, x, sp.Tuple(*points)), {})]
+
+
+class OneSignChange(Claim):
+    """``OneSignChange(f, x, points)``: along the points f changes sign once."""
+
+    def signs_of(self, sign):
+        """Whether it is so, with `sign` giving the sign of f at a value of x."""
+        f, x, points = self.args
+        signs = [v for v in (sign(f, x, p) for p in points) if v != 0]
+        return sum(a != b for a, b in pairwise(signs)) == 1
+
+
+class UniqueMaximum(Claim):
+    """``UniqueMaximum(f, x, interval, place)``: f is largest at `place`, and nowhere else."""
+
+    def trials(self):
+        f, x, interval, place = self.args
+        below = sp.StrictLessThan(f, f.subs(x, place), evaluate=False)
+        beside = sp.Or(sp.Eq(x, place, evaluate=False), below, evaluate=False)
+        return [(beside, {x: p}) for p in spread(interval)]
+
+
+class Independent(Claim):
+    """``Independent(f, x)``: the value of f does not depend on x."""
+
+    def trials(self):
+        f, x = self.args
+        same = sp.Eq(f.subs(x, FIRST), f.subs(x, SECOND), evaluate=False)
+        return [(same, {FIRST: sp.Rational(1, 5), SECOND: sp.Rational(4, 7)})]
+
+    def check_dimensions(self, agree):
+        agree(self.args[0])
+
+
+class TracesOnce(Claim):
+    """``TracesOnce((X, Y), q, interval, curve, region, (x, y), inverse)``.
+
+    As q runs through the interval the point (X(q), Y(q)) runs once through exactly those points (x, y) of `curve`
+    that lie in `region`; `inverse` gives q from (x, y), inside the interval.
+    """
+
+    @property
+    def bound_symbols(self):
+        return {self.args[1], *self.args[5]}
+
+    def trials(self):
+        (px, py), q, interval, curve, region, (x, y), inverse = self.args
+        here = {x: px, y: py}
+        back = sp.Eq(inverse.subs(here, simultaneous=True), q, evaluate=False)
+        parts = [curve.subs(here, simultaneous=True), region.subs(here, simultaneous=True), back]
+        return [(part, {q: p}) for p in spread(interval)[1:-1] for part in parts]
+
+    def check_dimensions(self, agree):
+        (px, py), _, _, _, _, (x, y), _ = self.args
+        agree(px, py, x, y)

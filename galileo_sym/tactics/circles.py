@@ -1,0 +1,95 @@
+"""Circles: centre and radius read off an equation, and arcs shown to be traced once and completely."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from galileo_sym.ledger import DerivationError, TracesOnce, step, tactic
+from galileo_sym.ledger.equivalence import is_zero
+
+
+@dataclass(frozen=True)
+class Circle:
+    """Centre (a, b) and radius of a circle."""
+
+    centre: tuple
+    radius: sp.Expr
+
+
+@tactic
+def read_circle(equation: sp.Eq, x, y) -> Circle:
+    """Complete the squares in a quadratic equation between x and y.
+
+    Raises
+    ------
+    DerivationError
+        The equation is not that of a circle.
+    """
+    polynomial = sp.Poly(sp.expand(equation.lhs - equation.rhs), x, y)
+    lead = polynomial.coeff_monomial(x**2)
+    odd = [monomial for monomial in polynomial.monoms() if sum(monomial) > 2 or monomial == (1, 1)]
+    if odd or lead == 0 or is_zero(lead - polynomial.coeff_monomial(y**2)) is None:
+        raise DerivationError(f"{equation} is not a circle in {x} and {y}")
+    a = sp.simplify(-polynomial.coeff_monomial(x) / (2 * lead))
+    b = sp.simplify(-polynomial.coeff_monomial(y) / (2 * lead))
+    square = sp.factor(a**2 + b**2 - polynomial.coeff_monomial(1) / lead)
+    return Circle((a, b), sp.sqrt(square))
+
+
+@tactic
+def trace_circle(point, parameter, interval, equation, region, coordinates, inverse, offset=sp.S.Zero):
+    """Show that a moving point traces exactly the part of a circle in a region, once.
+
+    The point, seen from the centre, is rho*(sin(phi), cos(phi)) with phi = 2*parameter + offset. It runs through the
+    whole circle if phi gains 2*pi, and through the part on one side of the vertical if it starts and ends there, at
+    equal heights above and below the centre (phi and pi - phi).
+
+    Parameters
+    ----------
+    point : pair of expressions in `parameter`
+    interval : Interval
+        Of the parameter.
+    equation : Eq
+        The circle.
+    region : Boolean
+        True for the whole circle, or x >= 0, or x <= 0.
+    coordinates : pair of symbols (x, y)
+    inverse : expression
+        The parameter as a function of x and y.
+    offset : expression
+        Of the angle phi.
+
+    Returns
+    -------
+    TracesOnce
+    """
+    x, y = coordinates
+    circle = read_circle(equation, x, y)
+    phi = 2 * parameter + offset
+    ways = (sp.sin(phi), sp.cos(phi))
+    for place, middle, way in zip(point, circle.centre, ways, strict=True):
+        left = place - middle - circle.radius * way
+        if is_zero(sp.simplify(sp.expand_trig(sp.expand(left)))) is None:
+            raise DerivationError(f"{place} is not {middle} + {circle.radius}*{way}")
+        step("seen from the centre", sp.Eq(place - middle, circle.radius * way, evaluate=False))
+    first, last = (phi.subs(parameter, end) for end in (interval.start, interval.end))
+    _covers(first, last, region, x, circle)
+    return TracesOnce(sp.Tuple(*point), parameter, interval, equation, region, sp.Tuple(x, y), inverse)
+
+
+def _covers(first, last, region, x, circle):
+    turn = sp.simplify(last - first)
+    if region == sp.true:
+        if turn != 2 * sp.pi:
+            raise DerivationError(f"the angle gains {turn}, not 2*pi: the circle is not traced once")
+        return
+    side = {sp.Ge(x, 0): 1, sp.Le(x, 0): -1}.get(region)
+    if side is None:
+        raise DerivationError(f"the region must be a side of the vertical, not {region}")
+    start = sp.simplify(circle.centre[0] + circle.radius * sp.sin(first))
+    middle = sp.simplify(first + last)
+    if start != 0 or middle != side * sp.pi:
+        raise DerivationError(f"the arc from {first} to {last} does not begin and end on the vertical")
+    step("the arc is less than a turn", sp.Lt(last - first, 2 * sp.pi, evaluate=False))

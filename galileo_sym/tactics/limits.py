@@ -1,0 +1,42 @@
+"""Limits taken where SymPy is right: never through Lambert W, always by a parameter that removes it."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from galileo_sym.ledger import DerivationError, tactic
+
+
+@tactic
+def elementary_limit(expr, variable, point, direction="+"):
+    """The limit of an expression in elementary functions.
+
+    Raises
+    ------
+    DerivationError
+        The expression contains LambertW (SymPy's answer would be silently wrong: parametrise first), or SymPy finds
+        no limit.
+    """
+    if expr.has(sp.LambertW):
+        raise DerivationError(f"remove LambertW by a parameter before taking the limit of {expr}")
+    found = sp.limit(expr, variable, point, direction)
+    if found.has(sp.Limit) or found is sp.nan:
+        raise DerivationError(f"no limit found of {expr} as {variable} goes to {point}")
+    return sp.simplify(found)
+
+
+@tactic
+def limit_by_parameter(expr, variable, point, direction, parameter, path, at, side="+"):
+    """The limit of f(x), x -> point, along x = path(s), s -> at.
+
+    `expr` must already be written in the parameter s; `path` is checked to tend to `point` from the side
+    `direction`, monotonically near it.
+    """
+    if elementary_limit(path, parameter, at, side) != point:
+        raise DerivationError(f"{variable} = {path} does not tend to {point} as {parameter} goes to {at}")
+    slope = sp.limit(sp.diff(path, parameter), parameter, at, side)
+    moves = slope * (1 if side == "+" else -1)
+    if not (moves.is_positive if direction == "+" else moves.is_negative):
+        raise DerivationError(f"{variable} = {path} does not approach {point} from the side {direction!r}")
+    value = elementary_limit(expr, parameter, at, side)
+    return value

@@ -1,0 +1,48 @@
+"""One equation solved for one quantity, with the roots that are dropped named."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from galileo_sym.ledger import DerivationError, tactic
+from galileo_sym.ledger.equivalence import is_zero
+
+
+@tactic
+def isolate(equation: sp.Eq, unknown, *, drop=None, hide=()) -> sp.Eq:
+    """Solve an equation for `unknown`.
+
+    Parameters
+    ----------
+    equation : Eq
+    unknown : Symbol
+        Its assumptions (positive, ...) say which roots count.
+    drop : dict, optional
+        Roots to be left out, each with the reason: {0: "the bead at A"}.
+    hide : dict, optional
+        Sub-expressions to be replaced by symbols that carry their sign while solving: {cos(theta): Symbol(positive)}.
+
+    Returns
+    -------
+    Eq
+        Eq(unknown, root), the only root left.
+    """
+    hide = dict(hide)
+    ready = equation.subs(hide) if hide else equation
+    roots = sp.solve(ready.lhs - ready.rhs, unknown)
+    back = {v: k for k, v in hide.items()}
+    left = [r.subs(back) for r in roots]
+    for root in drop or {}:
+        gone = [r for r in left if is_zero(r - root)]
+        if len(gone) != 1:
+            raise DerivationError(f"the root {root} to be dropped is not among {left}")
+        left.remove(gone[0])
+    if len(left) != 1:
+        raise DerivationError(f"{equation} has the roots {left} for {unknown}: say which to drop")
+    return sp.Eq(unknown, left[0], evaluate=False)
+
+
+@tactic
+def substitute(equation: sp.Eq, table: dict, tidy=sp.simplify) -> sp.Eq:
+    """Put values in on both sides of an equation, and tidy the right one."""
+    return sp.Eq(equation.lhs.subs(table), tidy(equation.rhs.subs(table)), evaluate=False)
