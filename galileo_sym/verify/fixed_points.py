@@ -1,0 +1,69 @@
+"""Inputs that are always tried: the papers' own scenes, and inputs known to defeat other codes."""
+
+import math
+
+_TENTHS_OF_TAU = (0.2, 0.4, 0.6, 0.8, 1.0)
+_SHARES_OF_RIGHT_ANGLE = (-0.65, -0.5, -0.25, 0.0, 0.1, 0.3, 0.5, 0.65)
+
+
+def _chord_scene(mu, gamma_tau):
+    """Figures 2, 3, 5 and 7: D = 1 m, g = 9.81 m/s2, times in fifths of tau = sqrt(2 D/g)."""
+    tau = math.sqrt(2.0 / 9.81)
+    return [
+        {
+            "theta": share * (math.pi / 2),
+            "t": part * tau,
+            "diameter": 1.0,
+            "g": 9.81,
+            "mu": mu,
+            "gamma": gamma_tau / tau,
+        }
+        for part in _TENTHS_OF_TAU
+        for share in _SHARES_OF_RIGHT_ANGLE
+    ]
+
+
+def _projectile_scene(rates):
+    """Figure 4: v = 50, g = 32.2 (feet), several k."""
+    return [
+        {"theta": angle / 10, "t": part * 3.1 * math.ldexp(angle, -4), "v": 50.0, "g": 32.2, "k": k}
+        for k in rates
+        for angle in range(1, 16, 2)
+        for part in _TENTHS_OF_TAU
+    ]
+
+
+SCENES = {
+    ("chord", "free"): _chord_scene(0.0, 0.0),
+    ("chord", "friction"): _chord_scene(0.50, 0.0),
+    ("chord", "drag"): _chord_scene(0.0, 0.50),
+    ("chord", "friction_drag"): _chord_scene(0.36, 0.50),
+    ("projectile", "free"): _projectile_scene((0.0,)),
+    ("projectile", "drag"): _projectile_scene((0.1, 0.25, 0.5, 1.0, 2.0)),
+    ("projectile", "all"): [{"alpha": k * 50.0 / 32.2} for k in (0.0, 0.05, 0.1, 0.25, 0.5, 0.644, 1.0, 2.0, 5.0)],
+}
+
+_LEVEL = {"theta": 0.0, "diameter": 1.0, "g": 9.81}
+_THROW = {"theta": 0.5, "v": 10.0, "g": 9.81}
+
+KNOWN_HARD = {
+    ("chord.descent_time", "drag"): [
+        {**_LEVEL, "gamma": 1e-8},
+        {**_LEVEL, "gamma": 1e-200},
+        {"theta": 0.0, "diameter": 1e250, "g": 1e250, "gamma": 1e100},
+        {"theta": 0.0, "diameter": 1e-200, "g": 1e200, "gamma": 1.0},
+        {"theta": 0.0, "diameter": 1e200, "g": 1e-200, "gamma": 1e-150},
+    ],
+    ("chord.descent_time", "friction_drag"): [
+        {"theta": 1.1071487177940904, "diameter": 1.0, "g": 9.81, "mu": 0.5, "gamma": 1.0},
+    ],
+    ("chord.distance", "drag"): [
+        {"t": 1.0, "theta": 0.5, "g": 9.81, "gamma": 1e-9},
+        {"t": 1.0, "theta": 0.5, "g": 9.81, "gamma": 1e-170},
+        {"t": 1e250, "theta": 0.5, "g": 1e-300, "gamma": 1e250},
+    ],
+    ("projectile.flight_time", "drag"): [{**_THROW, "k": 1e-9}, {**_THROW, "k": 1e-8}],
+    ("projectile.horizontal_range", "drag"): [{**_THROW, "k": 1e-9}, {**_THROW, "k": 1e-8}],
+    ("projectile.position", "drag"): [{**_THROW, "t": 0.5, "k": 1e-9}],
+    ("projectile.best_angle", "all"): [{"alpha": alpha} for alpha in (1.0 + 2.0**-52, 1.0, 1.5e-8, 1e155, 1e200)],
+}

@@ -1,0 +1,74 @@
+"""The public functions that are verified: arguments, outputs and force sets, as one table."""
+
+from dataclasses import dataclass, field
+
+CHORD_FORCES = {"free": (), "friction": ("mu",), "drag": ("gamma",), "friction_drag": ("mu", "gamma")}
+PROJECTILE_FORCES = {"free": (), "drag": ("k",)}
+ONE_LAW = {"all": ()}  # functions that have a single kernel, whose C name carries no suffix
+
+CLAIMED_BOUND = 4.0
+
+
+@dataclass(frozen=True)
+class Function:
+    """What verification has to know of a public function.
+
+    Attributes
+    ----------
+    paper, name : str
+        The public module and the function in it.
+    positional, keywords : tuple of str
+        Arguments in the order of both languages; the force arguments follow them.
+    force_sets : dict of str to tuple of str
+        Each kernel's name and the force arguments it takes.
+    outputs : tuple of str
+        Names of the results, in order.
+    bound : float
+        The error it claims not to exceed, in ulp.
+    unit : dict of str to str
+        The unit of the error of an output that is not measured in ulps of the result.
+    """
+
+    paper: str
+    name: str
+    positional: tuple
+    keywords: tuple
+    force_sets: dict
+    outputs: tuple
+    bound: float = CLAIMED_BOUND
+    unit: dict = field(default_factory=dict)
+
+    @property
+    def full_name(self):
+        return f"{self.paper}.{self.name}"
+
+    def arguments(self, force_set):
+        """Names of the arguments of one kernel, in order."""
+        return (*self.positional, *self.keywords, *self.force_sets[force_set])
+
+    def absent_forces(self, force_set):
+        """Names of the force arguments the kernel does without; they are zero."""
+        every = {name: None for names in self.force_sets.values() for name in names}
+        return tuple(name for name in every if name not in self.force_sets[force_set])
+
+
+_TABLE = (
+    Function("chord", "descent_time", ("theta",), ("diameter", "g"), CHORD_FORCES, ("time",)),
+    Function("chord", "distance", ("t", "theta"), ("g",), CHORD_FORCES, ("distance",)),
+    Function("chord", "position", ("t", "theta"), ("g",), CHORD_FORCES, ("x", "y")),
+    Function("chord", "synchronous_circle", ("t",), ("g",), CHORD_FORCES, ("X", "Y", "R")),
+    Function("projectile", "flight_time", ("theta",), ("v", "g"), PROJECTILE_FORCES, ("time",)),
+    Function("projectile", "horizontal_range", ("theta",), ("v", "g"), PROJECTILE_FORCES, ("range",)),
+    Function(
+        "projectile",
+        "position",
+        ("t", "theta"),
+        ("v", "g"),
+        PROJECTILE_FORCES,
+        ("x", "y"),
+        unit={"y": "ulp of the larger of its two terms"},
+    ),
+    Function("projectile", "best_angle", ("alpha",), (), ONE_LAW, ("angle",)),
+)
+
+FUNCTIONS = {function.full_name: function for function in _TABLE}

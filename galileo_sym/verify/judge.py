@@ -1,0 +1,137 @@
+"""Hold measurements against claims and records: one row for each stratum and back end."""
+
+from dataclasses import asdict, dataclass
+
+from .functions import FUNCTIONS
+from .measure import as_hex, evaluate, first_difference, measure
+from .ulp import rounded_up
+
+OK = "ok"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of the report.
+
+    Attributes
+    ----------
+    function, force_set, stratum : str
+        Where.
+    back_end : str
+        Which back end, or several that agree to the bit.
+    points : int
+        How many were tried, a recorded worst input included.
+    measured : float
+        Largest error found, rounded up; the true maximum is at least about that.
+    output : str
+        The output it is of.
+    worst : dict of str to str
+        The input it occurs at, in hex.
+    bound : float
+        The claim.
+    verdict : str
+        "ok", or what is wrong.
+    """
+
+    function: str
+    force_set: str
+    stratum: str
+    back_end: str
+    points: int
+    measured: float
+    output: str
+    worst: dict
+    bound: float
+    verdict: str
+
+    def as_dict(self):
+        return asdict(self)
+
+
+def _verdict(measurement, bound, record):
+    """What a measurement means for a claim and, if there is one, an earlier record."""
+    if not measurement.error <= bound:
+        return "exceeds its bound"
+    if record is not None and measurement.recorded_error > record["measured"]:
+        return "worse than recorded"
+    return OK
+
+
+def _failure(sample, back_end, verdict, bound):
+    task = sample.task
+    point = {name: values[0] for name, values in sample.arguments.items()}
+    return Row(
+        task.function,
+        task.force_set,
+        task.stratum,
+        back_end,
+        len(sample.references),
+        float("inf"),
+        "",
+        as_hex(point),
+        bound,
+        verdict,
+    )
+
+
+def judge(sample, back_ends, record):
+    """Measure every back end on a sample and judge it.
+
+    Parameters
+    ----------
+    sample : Sample
+        Points with references; the recorded worst input last, if there is a record.
+    back_ends : list
+        Objects with `name` and `evaluate`; all have to agree with the first to the bit.
+    record : dict or None
+        What the certificate says of this stratum.
+
+    Returns
+    -------
+    rows : list of Row
+        One for each group of back ends that agree.
+    worst : Measurement or None
+        The largest error over all back ends, None if one of them failed.
+    """
+    task = sample.task
+    bound = FUNCTIONS[task.function].bound if record is None else record["bound"]
+    agreeing, rows, measurements = [], [], []
+    first = None
+    for back_end in back_ends:
+        try:
+            results = evaluate(sample, back_end)
+        except Exception as cause:  # any failure of a back end is a finding, and the other strata still count
+            rows.append(_failure(sample, back_end.name, f"{type(cause).__name__}: {cause}", bound))
+            continue
+        differs = None if first is None else first_difference(first, results)
+        if first is not None and differs is None:
+            agreeing.append(back_end.name)
+            continue
+        measurement = measure(sample, results)
+        measurements.append((back_end.name, measurement, _verdict(measurement, bound, record)))
+        if first is None:
+            first = results
+        else:
+            point = as_hex({name: values[differs] for name, values in sample.arguments.items()})
+            shown = " ".join(f"{name}={value}" for name, value in point.items())
+            verdict = f"bits differ from {back_ends[0].name}, first at {shown}"
+            measurements[-1] = (back_end.name, measurement, verdict)
+    for position, (name, measurement, verdict) in enumerate(measurements):
+        names = [name, *agreeing] if position == 0 else [name]
+        rows.append(
+            Row(
+                task.function,
+                task.force_set,
+                task.stratum,
+                " = ".join(names),
+                len(sample.references),
+                rounded_up(measurement.error),
+                measurement.output,
+                as_hex(measurement.worst),
+                bound,
+                verdict,
+            )
+        )
+    failed = len(rows) > len(measurements)
+    worst = None if failed else max((measurement for _, measurement, _ in measurements), key=lambda one: one.error)
+    return rows, worst

@@ -1,0 +1,163 @@
+"""`galileo-sym verify`: sample, measure, hold against the certificates, renew those on request."""
+
+import datetime
+import os
+import sys
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from multiprocessing import get_context
+
+from . import certificate, report
+from .back_ends import NumpyFunctions, available_back_ends, generated_folder
+from .functions import FUNCTIONS
+from .judge import OK, judge
+from .measure import Task, VacuousStratumError, take_sample
+from .native import CompilationError
+from .selection import UnknownNameError, select_functions, select_strata
+
+DEFAULT_POINTS = 256
+DEFAULT_SEED = 2014
+_PROCESSES = 2
+_WORTH_A_PROCESS = 4000  # points; below that a second process takes longer to start than it saves
+
+
+def _samples(tasks, processes):
+    """Samples of all tasks as (position, sample), in any order; references in several processes if it pays."""
+    if processes == 1 or sum(task.points for task in tasks) < _WORTH_A_PROCESS:
+        for position, task in enumerate(tasks):
+            yield position, take_sample(task)
+        return
+    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
+        positions = {pool.submit(take_sample, task): position for position, task in enumerate(tasks)}
+        try:
+            for done in as_completed(positions):
+                yield positions[done], done.result()
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def _chosen_back_ends(given, notes, problems):
+    if given is not None:
+        return given
+    try:
+        return available_back_ends(notes.append)
+    except CompilationError as cause:
+        problems.append(str(cause))
+        return [NumpyFunctions()]
+
+
+def _renewed(folder, outcomes, records, back_ends, seed, date):
+    """Certificates of the functions that held, the strata not measured now taken over from the old ones."""
+    failed = {rows[0].function for rows, _ in outcomes.values() if any(row.verdict != OK for row in rows)}
+    entries = {name: {} for name, _, _ in outcomes if name not in failed}
+    for (name, force_set, stratum), old in records.items():
+        if name in entries:
+            entries[name][force_set, stratum] = {**old, "worst": certificate.as_hex(old["worst"])}
+    for (name, force_set, stratum), (rows, worst) in outcomes.items():
+        if name in entries:
+            names = [back_end.name for back_end in back_ends]
+            record = certificate.entry(FUNCTIONS[name], worst, rows[0].points, names)
+            entries[name][force_set, stratum] = record
+    renewed = [certificate.certificate(FUNCTIONS[name], found, seed, date) for name, found in entries.items()]
+    certificate.write(folder, renewed)
+    return [content["function"] for content in renewed]
+
+
+def run(
+    names=(),
+    points=DEFAULT_POINTS,
+    seed=DEFAULT_SEED,
+    update=False,
+    json_output=False,
+    strata=(),
+    *,
+    progress=None,
+    back_ends=None,
+    certificates=None,
+    processes=None,
+    out=None,
+    err=None,
+    date=None,
+):
+    """Measure the errors of the public functions and hold them against the certificates.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Functions by full name, or papers; all if empty.
+    points : int
+        Points a stratum (strata that are lists have their own number).
+    seed : int
+        Of the draw; the same seed gives the same points everywhere.
+    update : bool
+        Renew the certificates of the functions that hold. A recorded worst input that is still worse stays recorded.
+    json_output : bool
+        Print one JSON object instead of the table.
+    strata : sequence of str
+        Strata to measure; all if empty.
+    progress : callable, optional
+        Called with (strata done, strata in all, what was done last).
+    back_ends : list, optional
+        Objects with `name` and `evaluate`; by default NumPy and, if there is a compiler, C.
+    certificates : Path, optional
+        Folder of the certificates; that of the emitted code by default.
+    processes : int, optional
+        For the references; by default 2, or 1 on a single core. With more than one, a calling script needs the usual
+        ``if __name__ == "__main__"`` guard.
+    out, err : text files, optional
+        Standard output and standard error by default.
+    date : str, optional
+        Day to write into renewed certificates; today by default.
+
+    Returns
+    -------
+    int
+        0 if all held; 1 if an error exceeds its bound, a recorded worst input errs more than recorded, back ends
+        differ in bits, the C does not compile, or a certificate is missing or does not fit; 2 on unknown names or a
+        number of points below 1.
+    """
+    out = sys.stdout if out is None else out
+    err = sys.stderr if err is None else err
+    try:
+        functions = select_functions(names)
+        chosen = select_strata(functions, strata)
+    except UnknownNameError as cause:
+        print(f"galileo-sym verify: {cause}", file=err)
+        return 2
+    if points < 1:
+        print(f"galileo-sym verify: --points must be at least 1, got {points}", file=err)
+        return 2
+    folder = generated_folder() / "certificates" if certificates is None else certificates
+    notes, problems, records = [], [], {}
+    back_ends = _chosen_back_ends(back_ends, notes, problems)
+    for name in functions:
+        found, faults = certificate.read(folder, name)
+        records.update({(name, *place): record for place, record in found.items()})
+        (notes if update else problems).extend(faults)
+    problems.extend(f"certificate {name} belongs to no function; delete it" for name in certificate.stale(folder))
+    if not json_output:
+        print("\n".join(notes), file=out, end="\n" if notes else "")
+
+    tasks = [Task(*place, points, seed, records[place]["worst"] if place in records else None) for place in chosen]
+    outcomes = {}
+    processes = processes or min(_PROCESSES, os.cpu_count() or 1)
+    try:
+        for done, (position, sample) in enumerate(_samples(tasks, processes), 1):
+            place = chosen[position]
+            # an update accepts a recorded input that errs more than before, up to the bound
+            outcomes[place] = judge(sample, back_ends, None if update else records.get(place))
+            if progress is not None:
+                progress(done, len(tasks), f"{place[0]} [{place[1]}] {place[2]}")
+    except VacuousStratumError as cause:
+        problems.append(str(cause))
+    outcomes = {place: outcomes[place] for place in chosen if place in outcomes}
+    rows = [row for found, _ in outcomes.values() for row in found]
+    date = datetime.date.today().isoformat() if date is None else date
+    updated = [] if problems or not update else _renewed(folder, outcomes, records, back_ends, seed, date)
+    held = not problems and all(row.verdict == OK for row in rows)
+    if json_output:
+        print(report.as_json(rows, problems, notes, seed, held), file=out)
+    else:
+        print(report.table(rows), file=out)
+        print(report.summary(rows, problems, updated), file=out)
+    return 0 if held else 1
