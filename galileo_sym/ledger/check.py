@@ -9,7 +9,7 @@ import sympy as sp
 
 from . import dimensions, numeric
 from .derivation import Premise, recording
-from .domain import REAL, Domain, EmptyDomain
+from .domain import REAL, Domain
 from .environment import as_algebra, definitions, resolve
 from .equivalence import equivalent
 from .statement import Declaration, Erratum
@@ -91,11 +91,9 @@ def _judge(declaration, outcome, premises, verdicts):
             failure = counterexample(statement, declaration.domain, given, declaration.id)
             if failure is not None:
                 return Kind.REFUTED, f"{name} fails", failure
-    except EmptyDomain as problem:
-        return Kind.VACUOUS, str(problem), None
-    except (dimensions.Inhomogeneous, numeric.Untestable) as problem:
+        how = equivalent(outcome.result, declaration.printed)
+    except Exception as problem:  # whatever SymPy cannot do is this entry's verdict, not a crash
         return Kind.ERROR, f"{type(problem).__name__}: {problem}", None
-    how = equivalent(outcome.result, declaration.printed)
     method = ", ".join((*outcome.tactics, f"as printed: {how}" if how else "equal in numbers only"))
     return (Kind.PROVED if how else Kind.CHECKED), method, None
 

@@ -33,21 +33,24 @@ def compare(statement, derived, declaration, given) -> Verdict:
 
 
 def _compare(other, derived, declaration, given):
+    if derived == other:
+        return Kind.PROVED, "identical", None
     own = definitions(derived)
     known = {**given, **{k: v for k, v in own.items() if k not in declaration.domain.ranges}}
+    tautology = isinstance(other, BooleanAtom) and bool(other)
     try:
-        failure = None
-        if not isinstance(other, BooleanAtom) or other == sp.false:
-            failure = counterexample(other, declaration.domain, known, declaration.id)
+        failure = None if tautology else counterexample(other, declaration.domain, known, declaration.id)
         if failure is not None:
             return Kind.REFUTED, "the derived statement holds here, the other does not", failure
+        how = equivalent(derived, other)
+        if how:
+            return Kind.PROVED, how, None
         failure = _other_way(other, derived, declaration.domain, known, declaration.id)
-        if failure is not None:
-            return Kind.REFUTED, "the other statement holds here, the derived one does not", failure
     except numeric.Untestable as problem:
         return Kind.ERROR, f"cannot be compared: {problem}", None
-    how = equivalent(derived, other)
-    return (Kind.PROVED, how, None) if how else (Kind.CHECKED, "equal in numbers only", None)
+    if failure is not None:
+        return Kind.REFUTED, "the other statement holds here, the derived one does not", failure
+    return Kind.CHECKED, "equal in numbers only", None
 
 
 def _other_way(other, derived, domain, given, seed):

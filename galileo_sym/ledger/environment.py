@@ -28,8 +28,13 @@ def definitions(statement) -> dict:
 
 
 def _definable(left, right):
-    named = isinstance(left, sp.Symbol | AppliedUndef | sp.Derivative)
+    named = isinstance(left, sp.Symbol | sp.Derivative) or _general(left)
     return named and not sp.sympify(right).has(left)
+
+
+def _general(left):
+    """f(t), not f(0)."""
+    return isinstance(left, AppliedUndef) and all(isinstance(a, sp.Symbol) for a in left.args)
 
 
 def resolve(expr, given: dict, keep=frozenset(), depth=0):

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 from sympy.core.relational import Relational
+from sympy.logic.boolalg import Boolean
 
 from .predicates import Claim
 
+_UNORDERED = (sp.And, sp.Or, sp.Equivalent)
 _ORDERED = (sp.StrictGreaterThan, sp.GreaterThan, sp.StrictLessThan, sp.LessThan)
 
 
@@ -21,9 +23,9 @@ def equivalent(one, other) -> str | None:
         return _claims(one, other)
     if isinstance(one, Relational) and isinstance(other, Relational):
         return _relations(one, other)
-    if isinstance(one, sp.And) and isinstance(other, sp.And):
-        return _conjunctions(one, other)
-    if isinstance(one, sp.Or | sp.Not | sp.Implies | sp.Equivalent) and one.func == other.func:
+    if isinstance(one, _UNORDERED) and one.func == other.func:
+        return _in_any_order(one, other)
+    if isinstance(one, sp.Not | sp.Implies) and one.func == other.func:
         return _pairwise(one.args, other.args)
     return None
 
@@ -43,13 +45,15 @@ def _strongest(ways):
 
 
 def _same_thing(a, b):
-    if isinstance(a, Relational | sp.And | sp.Or | sp.Not | Claim):
+    if isinstance(a, Boolean):
         return equivalent(a, b)
     if isinstance(a, sp.Tuple) and isinstance(b, sp.Tuple):
         return _pairwise(a.args, b.args)
     if isinstance(a, sp.Interval) and isinstance(b, sp.Interval):
         ends = _pairwise((a.start, a.end), (b.start, b.end))
         return ends if (a.left_open, a.right_open) == (b.left_open, b.right_open) else None
+    if a.has(sp.Limit) or b.has(sp.Limit):
+        return _pairwise(a.args, b.args) if a.func == b.func and a.args else None
     if isinstance(a, sp.Expr) and isinstance(b, sp.Expr):
         return is_zero(a - b)
     return "identical" if a == b else None
@@ -61,7 +65,7 @@ def _claims(one, other):
     return _pairwise(one.args, other.args)
 
 
-def _conjunctions(one, other):
+def _in_any_order(one, other):
     left = list(other.args)
     ways = []
     for part in one.args:
@@ -89,10 +93,9 @@ def _relations(one, other):
 def _equations(one, other):
     for a, b in ((other.lhs, other.rhs), (other.rhs, other.lhs)):
         way = _same_thing(one.lhs, a)
-        if way == "identical":
-            inner = _same_thing(one.rhs, b)
-            if inner is not None:
-                return inner
+        inner = way and _same_thing(one.rhs, b)
+        if inner:
+            return _strongest([way, inner])
     if isinstance(one.lhs, sp.Tuple) or isinstance(other.lhs, sp.Tuple):
         return None
     if one.has(sp.Limit) or other.has(sp.Limit):

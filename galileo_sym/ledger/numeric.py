@@ -5,6 +5,7 @@ from __future__ import annotations
 import mpmath
 import sympy as sp
 from mpmath import mp
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
@@ -22,7 +23,7 @@ def value(expr, point, digits):
     """The value of an expression at a point, as an mpmath number computed with `digits` digits."""
     expr = _plug_limits(sp.sympify(expr), point, digits)
     symbols = sorted(expr.free_symbols, key=lambda s: s.name)
-    missing = [s for s in symbols if s not in point]
+    missing = [s for s in symbols if s not in point] + list(expr.atoms(AppliedUndef))
     if missing:
         raise Untestable(f"no value for {', '.join(map(str, missing))} in {expr}")
     with mp.workdps(digits):

@@ -39,7 +39,7 @@ def read_circle(equation: sp.Eq, x, y) -> Circle:
 
 
 @tactic
-def trace_circle(point, parameter, interval, equation, region, coordinates, inverse, offset=sp.S.Zero):
+def trace_circle(point, parameter, interval, equation, region, coordinates, inverse, offset=sp.S.Zero, using=None):
     """Show that a moving point traces exactly the part of a circle in a region, once.
 
     The point, seen from the centre, is rho*(sin(phi), cos(phi)) with phi = 2*parameter + offset. It runs through the
@@ -60,6 +60,8 @@ def trace_circle(point, parameter, interval, equation, region, coordinates, inve
         The parameter as a function of x and y.
     offset : expression
         Of the angle phi.
+    using : dict, optional
+        Known relations to be put in when the ends of the arc are compared.
 
     Returns
     -------
@@ -75,11 +77,11 @@ def trace_circle(point, parameter, interval, equation, region, coordinates, inve
             raise DerivationError(f"{place} is not {middle} + {circle.radius}*{way}")
         step("seen from the centre", sp.Eq(place - middle, circle.radius * way, evaluate=False))
     first, last = (phi.subs(parameter, end) for end in (interval.start, interval.end))
-    _covers(first, last, region, x, circle)
+    _covers(first, last, region, x, circle, using or {})
     return TracesOnce(sp.Tuple(*point), parameter, interval, equation, region, sp.Tuple(x, y), inverse)
 
 
-def _covers(first, last, region, x, circle):
+def _covers(first, last, region, x, circle, using):
     turn = sp.simplify(last - first)
     if region == sp.true:
         if turn != 2 * sp.pi:
@@ -88,8 +90,30 @@ def _covers(first, last, region, x, circle):
     side = {sp.Ge(x, 0): 1, sp.Le(x, 0): -1}.get(region)
     if side is None:
         raise DerivationError(f"the region must be a side of the vertical, not {region}")
-    start = sp.simplify(circle.centre[0] + circle.radius * sp.sin(first))
-    middle = sp.simplify(first + last)
+    place = {1: first, -1: last}[side]
+    start = sp.simplify(circle.centre[0] + circle.radius * sp.sin(place))
+    middle = sp.simplify((first + last).subs(using))
     if start != 0 or middle != side * sp.pi:
         raise DerivationError(f"the arc from {first} to {last} does not begin and end on the vertical")
     step("the arc is less than a turn", sp.Lt(last - first, 2 * sp.pi, evaluate=False))
+
+
+@tactic
+def sine_maximum(wave, parameter, offset, ends):
+    """Where amplitude*sin(2*parameter + offset) is largest on an interval, if the quarter turn is inside.
+
+    Parameters
+    ----------
+    wave : expression
+        amplitude*sin(2*parameter + offset) with a positive amplitude.
+    ends : pair
+        Of the interval of the parameter; the phase must run from `offset` to pi - `offset`, 0 < offset < pi/2.
+    """
+    phase = 2 * parameter + offset
+    amplitude = sp.simplify(wave / sp.sin(phase))
+    if not amplitude.is_positive or amplitude.has(parameter):
+        raise DerivationError(f"{wave} is not a positive multiple of sin({phase})")
+    first, last = (sp.simplify(phase.subs(parameter, e)) for e in ends)
+    if first != offset or sp.simplify(first + last - sp.pi) != 0:
+        raise DerivationError(f"the phase runs from {first} to {last}, not symmetrically about pi/2")
+    return sp.solve(phase - sp.pi / 2, parameter)[0]

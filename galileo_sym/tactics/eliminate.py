@@ -44,7 +44,7 @@ def eliminate(equations, variables, keep, spurious=None) -> sp.Eq:
 
 
 def _strip(polynomial, keep, spurious):
-    constant, factors = sp.factor_list(polynomial, *keep)
+    _, factors = sp.factor_list(polynomial, *keep)
     unused = dict(spurious)
     kept = []
     for factor, power in factors:

@@ -38,5 +38,4 @@ def limit_by_parameter(expr, variable, point, direction, parameter, path, at, si
     moves = slope * (1 if side == "+" else -1)
     if not (moves.is_positive if direction == "+" else moves.is_negative):
         raise DerivationError(f"{variable} = {path} does not approach {point} from the side {direction!r}")
-    value = elementary_limit(expr, parameter, at, side)
-    return value
+    return elementary_limit(expr, parameter, at, side)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
+from galileo_sym.ledger.equivalence import is_zero
 
 DEPTH = 8  # rungs of the ladder before giving up
 
@@ -44,16 +45,27 @@ def sign_by_factors(expr, factors: dict) -> int:
         Proved inequalities about parts of the product: {part: Gt(part, 0) or Lt(part, 0)}; what is left over must
         have a sign that SymPy knows from its assumptions.
     """
-    names = {}
-    for part, proved in factors.items():
-        names[part] = sp.Dummy("part", **_assumption(part, proved))
-    hidden = sp.factor(expr.subs(names)) if names else expr
-    left = hidden.free_symbols
+    hidden = _hide(expr, factors)
     if hidden.is_positive:
         return 1
     if hidden.is_negative:
         return -1
-    raise DerivationError(f"the sign of {expr} does not follow from {list(factors.values())} ({hidden}, {left})")
+    raise DerivationError(f"the sign of {expr} does not follow from {list(factors.values())}: {hidden}")
+
+
+@tactic
+def not_negative(expr, factors: dict) -> sp.Ge:
+    """Prove expr >= 0 from the signs of its factors, as `sign_by_factors` does for strict signs."""
+    if not _hide(expr, factors).is_nonnegative:
+        raise DerivationError(f"{expr} >= 0 does not follow from {list(factors.values())}")
+    return sp.Ge(expr, 0, evaluate=False)
+
+
+def _hide(expr, factors):
+    """The expression in factors, with the parts whose sign is known replaced by symbols of that sign."""
+    names = {part: sp.Dummy("part", **_assumption(part, proved)) for part, proved in factors.items()}
+    product = sp.factor(expr)
+    return sp.factor(product.subs(names))
 
 
 def _assumption(part, proved):
@@ -71,3 +83,39 @@ def monotone(function, variable, interval, slope_sign: int):
     """A function with a derivative of one sign inside an interval is strictly monotone on it."""
     kind = StrictlyIncreasing if slope_sign > 0 else StrictlyDecreasing
     return kind(function, variable, interval)
+
+
+@tactic
+def monotone_through(outer, inner_name, inner, variable, interval):
+    """Monotony of a composition f(n(x)) from the signs of df/dn and dn/dx, each known to SymPy by itself.
+
+    Parameters
+    ----------
+    outer : expression in `inner_name`
+    inner_name : Symbol
+        Carries the sign that n has on the interval.
+    inner : expression in `variable`
+    """
+    slope = sp.diff(inner, variable).replace(sp.tan, lambda x: sp.Dummy("tangent", real=True))
+    direction = sign_by_factors(sp.diff(outer, inner_name), {}) * sign_by_factors(slope, {})
+    return monotone(outer.subs(inner_name, inner), variable, interval, direction)
+
+
+@tactic
+def values_ordered(claim, low, high) -> sp.Lt:
+    """From a monotone function and low < high in its interval: its smaller value, then its larger one."""
+    function, variable, _ = claim.args
+    first, last = function.subs(variable, low), function.subs(variable, high)
+    pair = (first, last) if isinstance(claim, StrictlyIncreasing) else (last, first)
+    return sp.Lt(*pair, evaluate=False)
+
+
+@tactic
+def positive_before_root(claim, root, variable):
+    """A strictly decreasing function that vanishes at `root` is positive exactly before it."""
+    function, x, _ = claim.args
+    if not isinstance(claim, StrictlyDecreasing):
+        raise DerivationError(f"{claim} is not a strictly decreasing function")
+    if is_zero(function.subs(x, root)) is None:
+        raise DerivationError(f"{function} does not vanish at {root}")
+    return sp.Equivalent(sp.Gt(function.subs(x, variable), 0, evaluate=False), sp.Lt(variable, root, evaluate=False))
