@@ -28,8 +28,9 @@ class Domain:
 
     Attributes
     ----------
-    ranges : mapping of Symbol to Interval or FiniteSet
-        In order; an end may depend on variables named before.
+    ranges : mapping of Symbol to Interval, FiniteSet, or Union of those
+        In order; an end may depend on variables named before. A union keeps its pieces apart
+        (``Union(..., evaluate=False)``): points are tried in, and at the edges of, every piece.
     where : mapping of Symbol or undefined function to expression
         What dependent variables stand for.
     """
@@ -54,20 +55,29 @@ class Domain:
         rng = random.Random(seed)
         plans = [dict.fromkeys(self.ranges, None) for _ in range(count)]
         for symbol, values in self.ranges.items():
-            plans += [dict.fromkeys(self.ranges, None) | {symbol: edge} for edge in _edges(values)]
+            for piece in _pieces(values):
+                plans += [dict.fromkeys(self.ranges, None) | {symbol: (piece, edge)} for edge in _edges(piece)]
         return [self._draw(plan, rng) for plan in plans]
 
     def _draw(self, plan, rng):
         point = {}
         for symbol, values in self.ranges.items():
-            now = values.subs(point)
+            piece, edge = plan[symbol] or (rng.choice(_pieces(values)), None)
+            now = piece.subs(point)
             if now.is_empty is True or now == sp.S.EmptySet:
                 raise EmptyDomain(f"no {symbol} in {now} (from {values})")
-            point[symbol] = _pick(now, plan[symbol], rng)
+            point[symbol] = _pick(now, edge, rng)
         return point
 
 
+def _pieces(values):
+    """The parts of a union, which `subs` on the whole would merge again."""
+    return values.args if isinstance(values, sp.Union) else (values,)
+
+
 def _as_condition(symbol, values):
+    if isinstance(values, sp.Union):
+        return sp.Or(*(_as_condition(symbol, piece) for piece in values.args))
     if isinstance(values, sp.FiniteSet):
         return sp.Or(*(sp.Eq(symbol, v, evaluate=False) for v in values))
     parts = []

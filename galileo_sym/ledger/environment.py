@@ -67,7 +67,8 @@ def resolve(expr, given: dict, keep=frozenset(), depth=0):
 
 def _body_of(function, given):
     for applied, expr in given.items():
-        if isinstance(applied, AppliedUndef) and applied.func == function:
+        general = isinstance(applied, AppliedUndef) and all(isinstance(a, sp.Symbol) for a in applied.args)
+        if general and applied.func == function:
             return sp.Lambda(applied.args, expr)
     return None
 

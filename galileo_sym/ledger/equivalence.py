@@ -55,8 +55,17 @@ def _same_thing(a, b):
     if a.has(sp.Limit) or b.has(sp.Limit):
         return _pairwise(a.args, b.args) if a.func == b.func and a.args else None
     if isinstance(a, sp.Expr) and isinstance(b, sp.Expr):
-        return is_zero(a - b)
+        return is_zero(a - b) or _same_function(a, b)
     return "identical" if a == b else None
+
+
+def _same_function(a, b):
+    """f(A) = f(B) if A = B; the branches of a Piecewise one by one."""
+    if isinstance(a, sp.Piecewise) and isinstance(b, sp.Piecewise):
+        return _pairwise([part for pair in a.args for part in pair], [part for pair in b.args for part in pair])
+    if isinstance(a, sp.Function) and a.func == b.func:
+        return _pairwise(a.args, b.args)
+    return None
 
 
 def _claims(one, other):

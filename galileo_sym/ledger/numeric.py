@@ -137,6 +137,9 @@ def _relation(relation, point):
 def _equal(left, right, point):
     if isinstance(left, sp.Tuple | tuple) or isinstance(right, sp.Tuple | tuple):
         return all(_equal(a, b, point) for a, b in zip(left, right, strict=True))
+    for infinite, other in ((left, right), (right, left)):
+        if infinite in (sp.oo, -sp.oo) and other.has(sp.Limit):
+            return _diverges(other * sp.sign(infinite), point)
     before = None
     for digits in DIGITS:
         try:
@@ -151,6 +154,12 @@ def _equal(left, right, point):
             return True
         before = (gap, digits)
     return False
+
+
+def _diverges(limit, point):
+    """A limit is +oo if values taken ever nearer to it grow with the digits."""
+    near, nearer = (mp.re(value(limit, point, digits)) for digits in DIGITS[:2])
+    return 0 < near * 10 < nearer
 
 
 def _shrinks(gap, before, digits):

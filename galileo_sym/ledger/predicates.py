@@ -84,7 +84,7 @@ class StrictlyDecreasing(Monotone):
 
 
 class ExactlyOneRoot(Claim):
-    """``ExactlyOneRoot(f, x, interval)``: f changes sign across the interval, and vanishes in it once only."""
+    """``ExactlyOneRoot(f, x, interval)``: f vanishes exactly once in the interval (at a closed end, it may be)."""
 
     def trials(self):
         f, x, interval = self.args
@@ -93,13 +93,13 @@ class ExactlyOneRoot(Claim):
 
 
 class OneSignChange(Claim):
-    """``OneSignChange(f, x, points)``: along the points f changes sign once."""
+    """``OneSignChange(f, x, points)``: along the points f changes sign, or vanishes at a point, once."""
 
     def signs_of(self, sign):
         """Whether it is so, with `sign` giving the sign of f at a value of x."""
         f, x, points = self.args
-        signs = [v for v in (sign(f, x, p) for p in points) if v != 0]
-        return sum(a != b for a, b in pairwise(signs)) == 1
+        signs = [sign(f, x, p) for p in points]
+        return signs.count(0) + sum(a * b < 0 for a, b in pairwise(signs)) == 1
 
 
 class UniqueMaximum(Claim):
