@@ -14,7 +14,7 @@ from .measure import Task, VacuousStratumError, take_sample
 from .native import CompilationError
 from .selection import UnknownNameError, select_functions, select_strata
 
-DEFAULT_POINTS = 256
+DEFAULT_POINTS = 512
 DEFAULT_SEED = 2014
 _PROCESSES = 2
 _WORTH_A_PROCESS = 4000  # points; below that a second process takes longer to start than it saves

@@ -102,6 +102,16 @@ def _chord_grid(draw, has):
     return _chord(draw, has, **given)
 
 
+def _chord_range_ends(draw, has):
+    """Results among the subnormals, or close to overflow; g and D may be subnormal themselves."""
+    small, large = (-1074, -1010), (1012, 1023)
+    if "diameter" not in has:
+        return _chord(draw, has, g=draw.magnitude(*(small if draw.chance(0.5) else large)))
+    length, weight, rate = (small, large, large) if draw.chance(0.5) else (large, small, small)
+    given = {"diameter": draw.magnitude(*length), "g": draw.magnitude(*weight), "gamma": draw.magnitude(*rate)}
+    return _chord(draw, has, **given)
+
+
 _CHORD = (
     Stratum("typical", (), _chord),
     Stratum("tiny-drag", ("gamma",), lambda draw, has: _chord(draw, has, gamma=draw.magnitude(*_tiny(draw)))),
@@ -109,6 +119,7 @@ _CHORD = (
     Stratum("zero-drag", ("gamma",), lambda draw, has: _chord(draw, has, gamma=_some_zero(draw, -4, 3))),
     Stratum("zero-friction", ("mu",), lambda draw, has: _chord(draw, has, mu=_some_zero(draw, -4, 1))),
     Stratum("extreme", (), _chord_extreme),
+    Stratum("range-ends", (), _chord_range_ends),
     Stratum("near-theta-max", ("mu", "theta"), _chord_critical),
     Stratum("at-rest", ("mu", "theta"), _chord_at_rest),
     Stratum("theta-near-0", ("theta",), lambda draw, has: _chord(draw, has, theta=_slight(draw))),
@@ -159,12 +170,31 @@ def _throw_grid(draw, has):
     return _throw(draw, has, theta=angle if draw.chance(0.5) else HALF_PI, **given)
 
 
+# exponents of v, g, k: heights go with v and g, flight times with v/g, ranges with v**2/g
+_POSITION_ENDS = (((-1074, -1015), (-1074, -1015), (-5, 3)), ((1010, 1023), (1010, 1023), (-5, 3)))
+_FLIGHT_ENDS = (
+    ((-1074, -1000), (0, 30), (1000, 1023)),
+    ((1000, 1023), (-20, 0), (-1030, -1000)),
+    ((-540, -490), (0, 30), (490, 560)),
+    ((490, 512), (-20, 0), (-530, -490)),
+)
+
+
+def _throw_range_ends(draw, has):
+    """Results among the subnormals, or close to overflow."""
+    ends = _POSITION_ENDS if "t" in has else _FLIGHT_ENDS
+    speed, weight, rate = ends[draw.integer(0, len(ends) - 1)]
+    throw = _throw(draw, has, v=draw.magnitude(*speed), g=draw.magnitude(*weight), k=draw.magnitude(*rate))
+    return {**throw, "t": draw.magnitude(-2, 2)}
+
+
 _PROJECTILE = (
     Stratum("typical", (), _throw),
     Stratum("tiny-drag", ("k",), lambda draw, has: _throw(draw, has, k=draw.magnitude(*_tiny(draw)))),
     Stratum("huge-drag", ("k",), lambda draw, has: _throw(draw, has, k=draw.magnitude(4, 900))),
     Stratum("zero-drag", ("k",), lambda draw, has: _throw(draw, has, k=_some_zero(draw, -5, 3))),
     Stratum("extreme", (), _throw_extreme),
+    Stratum("range-ends", (), _throw_range_ends),
     Stratum("theta-near-0", (), lambda draw, has: _throw(draw, has, theta=abs(_slight(draw)))),
     Stratum("theta-near-half-pi", (), _throw_upward),
     Stratum("near-landing", ("t",), _landing),
