@@ -1,0 +1,258 @@
+"""The functions worth emitting: arguments with units and domain, force sets, outputs, ledger ids."""
+
+from dataclasses import dataclass
+from importlib import import_module
+
+from sympy import Symbol, cos, sin, sqrt
+
+from galileo_sym.primitives import driving, phi1
+
+
+@dataclass(frozen=True)
+class Argument:
+    """A public argument: its symbol in the ledger, unit, domain (a key of the emitted domain table) and meaning."""
+
+    name: str
+    symbol: str
+    unit: str
+    domain: str
+    doc: str
+
+
+@dataclass(frozen=True)
+class Output:
+    """A public result.
+
+    ``at_rest`` is its value where friction holds the bead (None: no such state). ``limits`` groups the arguments by
+    where the result goes as they grow: arguments of two groups infinite at once leave it undecided.
+    """
+
+    name: str
+    unit: str
+    doc: str
+    at_rest: float | None = None
+    limits: tuple = ()
+
+
+@dataclass(frozen=True)
+class Function:
+    """A public function.
+
+    ``positional`` and ``keywords`` are argument names; ``variants`` maps each force set to its force arguments and its
+    printed equations (ledger ids). ``named`` gives the intermediate results that emitted code names, by symbol.
+    """
+
+    paper: str
+    name: str
+    doc: str
+    positional: tuple
+    keywords: tuple
+    variants: dict
+    outputs: tuple
+    accuracy: str = "within 1 ulp"
+
+    @property
+    def full_name(self):
+        """``paper.name``."""
+        return f"{self.paper}.{self.name}"
+
+    @property
+    def forces(self):
+        """Names of all force arguments, in order."""
+        return max((names for names, _ in self.variants.values()), key=len)
+
+    def arguments(self, force_set):
+        """Return the arguments of one variant, in order."""
+        names = (*self.positional, *self.keywords, *self.variants[force_set][0])
+        return tuple(ARGUMENTS[self.paper][name] for name in names)
+
+    def ledger_id(self, force_set):
+        """Return the ledger id of the stable form of one variant."""
+        return f"stable.{self.full_name}" + (f".{force_set}" if force_set else "")
+
+    def sources(self, force_set):
+        """Return the ledger ids of the printed equations of one variant."""
+        return self.variants[force_set][1]
+
+
+def _arguments(*rows):
+    return {name: Argument(name, symbol, unit, domain, doc) for name, symbol, unit, domain, doc in rows}
+
+
+ARGUMENTS = {
+    "chord": _arguments(
+        ("t", "t", "s", "nonnegative", "time since release"),
+        ("theta", "theta", "rad", "chord angle", "angle of the chord from the vertical, signed, |theta| <= pi/2"),
+        ("diameter", "D", "m", "positive", "diameter of the circle"),
+        ("g", "g", "m/s^2", "positive", "acceleration of gravity"),
+        ("mu", "mu", "1", "nonnegative", "coefficient of sliding friction"),
+        ("gamma", "gamma", "1/s", "nonnegative", "drag coefficient over mass"),
+    ),
+    "projectile": _arguments(
+        ("t", "t", "s", "nonnegative", "time since launch"),
+        ("theta", "theta", "rad", "elevation", "elevation of the launch from the horizontal, 0 <= theta <= pi/2"),
+        ("v", "v", "m/s", "positive", "launch speed"),
+        ("g", "g", "m/s^2", "positive", "acceleration of gravity"),
+        ("k", "k", "1/s", "nonnegative", "resistance coefficient over mass"),
+        ("alpha", "alpha", "1", "nonnegative", "k v/g, resistance at launch speed over weight"),
+    ),
+}
+
+_FORCES = {"free": (), "friction": ("mu",), "drag": ("gamma",), "friction_drag": ("mu", "gamma")}
+_RESISTANCE = {"free": (), "drag": ("k",)}
+
+
+def _variants(forces, *sources):
+    return {name: (arguments, ids) for (name, arguments), ids in zip(forces.items(), sources, strict=True)}
+
+
+_ALONG_CHORD = (("t", "g"), ("gamma",))
+_ACROSS_CIRCLE = (("t", "g", "mu"), ("gamma",))
+
+_TABLE = (
+    Function(
+        "chord",
+        "descent_time",
+        "Time a bead released from rest takes along a chord from the top of a vertical circle.",
+        ("theta",),
+        ("diameter", "g"),
+        _variants(_FORCES, ("chord.eq4",), ("chord.eq17", "chord.eq18"), ("chord.eq36",), ("chord.eq43",)),
+        (Output("time", "s", "descent time", float("inf"), (("diameter", "gamma"), ("g",))),),
+    ),
+    Function(
+        "chord",
+        "distance",
+        "Distance a bead released from rest has gone along a chord.",
+        ("t", "theta"),
+        ("g",),
+        _variants(_FORCES, ("chord.eq1",), ("chord.eq15",), ("chord.eq29",), ("chord.eq41",)),
+        (Output("distance", "m", "distance from the top", 0.0, _ALONG_CHORD),),
+    ),
+    Function(
+        "chord",
+        "position",
+        "Position of a bead released from rest at the top, x to the right and y down.",
+        ("t", "theta"),
+        ("g",),
+        _variants(
+            _FORCES,
+            ("chord.eq5", "chord.eq6"),
+            ("chord.eq19", "chord.eq20"),
+            ("chord.setup", "chord.eq29"),
+            ("chord.setup", "chord.eq41"),
+        ),
+        (
+            Output("x", "m", "horizontal coordinate, of the sign of theta", 0.0, _ALONG_CHORD),
+            Output("y", "m", "depth below the top", 0.0, _ALONG_CHORD),
+        ),
+    ),
+    Function(
+        "chord",
+        "synchronous_circle",
+        "Circle on which beads released together are found: centre (-X, Y) for theta > 0, (X, Y) for theta < 0.",
+        ("t",),
+        ("g",),
+        _variants(
+            _FORCES,
+            ("chord.eq9", "chord.eq10"),
+            ("chord.eq21", "chord.eq22"),
+            ("chord.eq31", "chord.eq32"),
+            ("chord.eq45", "chord.eq46", "chord.eq47"),
+        ),
+        (
+            Output("X", "m", "distance of the centre from the vertical, X >= 0", None, _ACROSS_CIRCLE),
+            Output("Y", "m", "depth of the centre below the top", None, _ALONG_CHORD),
+            Output("R", "m", "radius", None, _ACROSS_CIRCLE),
+        ),
+    ),
+    Function(
+        "projectile",
+        "flight_time",
+        "Time until a projectile is back at the height of its launch.",
+        ("theta",),
+        ("v", "g"),
+        _variants(_RESISTANCE, ("projectile.nodrag.impact",), ("projectile.impact.time",)),
+        (Output("time", "s", "flight time", None, (("v",), ("g",))),),
+    ),
+    Function(
+        "projectile",
+        "horizontal_range",
+        "Horizontal distance at which a projectile is back at the height of its launch.",
+        ("theta",),
+        ("v", "g"),
+        _variants(_RESISTANCE, ("projectile.nodrag.range",), ("projectile.range.exp",)),
+        (Output("range", "m", "range", None, (("v",), ("g", "k"))),),
+    ),
+    Function(
+        "projectile",
+        "position",
+        "Position of a projectile launched from the origin, y up.",
+        ("t", "theta"),
+        ("v", "g"),
+        _variants(
+            _RESISTANCE,
+            ("projectile.nodrag.x", "projectile.nodrag.y"),
+            ("projectile.drag.x", "projectile.drag.y"),
+        ),
+        (
+            Output("x", "m", "horizontal distance", None, (("v",), ("k",))),
+            Output("y", "m", "height above the launch", None, (("v",), ("t", "g"), ("k",))),
+        ),
+        "within 1 ulp; y within 1 ulp of the larger of its two terms, which cancel at landing",
+    ),
+    Function(
+        "projectile",
+        "best_angle",
+        "Elevation of greatest range, for a given ratio of resistance to weight.",
+        ("alpha",),
+        (),
+        {"": ((), ("projectile.thm3",))},
+        (Output("angle", "rad", "elevation of greatest range"),),
+    ),
+)
+
+FUNCTIONS = {function.full_name: function for function in _TABLE}
+
+
+def _symbol(name):
+    return Symbol(name, real=True) if name == "theta" else Symbol(name, positive=True)
+
+
+_D, _g, _t, _v, _k, _mu, _theta = (_symbol(s) for s in ("D", "g", "t", "v", "k", "mu", "theta"))
+
+# Intermediate results that emitted code names: factored out of any product that contains them, the first that fits.
+NAMED = {
+    "chord": {
+        "t0": (sqrt(_D * cos(_theta) / (_g * driving(_theta, _mu))), sqrt(_D / _g)),
+        "fall": (_g * _t**2,),
+    },
+    "projectile": {
+        "rise": (_v * sin(_theta) / _g,),
+        "reach": (_v * _t * phi1(-_k * _t), _v * _t),
+        "fall": (_g * _t**2,),
+    },
+}
+
+
+def stable(function, force_set):
+    """Return the stable form of one variant.
+
+    Parameters
+    ----------
+    function : Function
+    force_set : str
+        A key of ``function.variants``.
+
+    Returns
+    -------
+    tuple of sympy.Expr
+        One for each output, in the symbols of the ledger.
+
+    Raises
+    ------
+    KeyError
+        If the ledger has no such entry.
+    """
+    table = import_module(f"galileo_sym.derivations.stable.{function.paper}").STABLE
+    forms = table[function.ledger_id(force_set).removeprefix("stable.")].values()
+    return tuple(form.xreplace({s: _symbol(s.name) for s in form.free_symbols}) for form in forms)

@@ -1,0 +1,216 @@
+"""The C99 back end: one source a paper, and the public header."""
+
+from galileo_sym.catalogue import FUNCTIONS
+from galileo_sym.codegen.printing import call_text, clash_groups, counts_text, sources_text
+from galileo_sym.codegen.schedule import schedule
+
+_DOMAIN_TESTS = {
+    "positive": "gs_positive",
+    "nonnegative": "gs_nonnegative",
+    "chord angle": "gs_chord_angle",
+    "elevation": "gs_elevation",
+}
+_ANGLES = ("chord angle", "elevation")
+_AT_REST = {0.0: "0.0", float("inf"): "INFINITY"}
+
+
+def c_name(function, force_set, ending=""):
+    """Return the C name of a kernel; an empty force set gives the unsuffixed one."""
+    return f"gs_{function.paper}_{function.name}" + (f"_{force_set}" if force_set else "") + ending
+
+
+def _fullest(function):
+    return max(function.variants, key=lambda force_set: len(function.variants[force_set][0]))
+
+
+def variants(function):
+    """Return (suffix, force set) of every C function; the one without a suffix takes all arguments."""
+    return [*((s, s) for s in function.variants if s), ("", _fullest(function))]
+
+
+def _single(function):
+    return len(function.outputs) == 1
+
+
+def _scalar_signature(function, suffix, force_set, kind):
+    """Signature of a scalar function of ``double`` or ``float``."""
+    parameters = [f"{kind} {a.name}" for a in function.arguments(force_set)]
+    if not _single(function):
+        parameters += [f"{kind} *{o.name}" for o in function.outputs]
+    name = c_name(function, suffix, "f" if kind == "float" else "")
+    return f"{kind if _single(function) else 'void'} {name}({', '.join(parameters)})"
+
+
+def _array_signature(function, suffix, force_set, kind):
+    """Signature of an array function."""
+    parameters = ["size_t n", *(f"const {kind} *{a.name}" for a in function.arguments(force_set))]
+    parameters += [f"{kind} *{o.name}" for o in function.outputs]
+    name = c_name(function, suffix, "_nf" if kind == "float" else "_n")
+    return f"void {name}({', '.join(parameters)})"
+
+
+def _signatures(function, suffix, force_set):
+    for kind in ("double", "float"):
+        yield _scalar_signature(function, suffix, force_set, kind)
+        yield _array_signature(function, suffix, force_set, kind)
+
+
+def _guard(function, condition, value):
+    """Lines that give every output the same value and return, under a condition."""
+    if _single(function):
+        return [f"    if ({condition})", f"        return {value};"]
+    targets = " = ".join(f"*{o.name}_out" for o in function.outputs)
+    return [f"    if ({condition}) {{", f"        {targets} = {value};", "        return;", "    }"]
+
+
+def _result(function, force_set, output, node):
+    value = f"gs_store({call_text(node, 'gs_')})"
+    groups = clash_groups(function, force_set, output)
+    if not groups:
+        return value
+    seen = ["(" + " || ".join(f"isinf({n}_in)" for n in group) + ")" for group in groups]
+    pairs = [f"({a} && {b})" for i, a in enumerate(seen) for b in seen[i + 1 :]]
+    return f"{' || '.join(pairs)} ? gs_invalid() : {value}"
+
+
+def kernel(function, force_set):
+    """Return the definition of one scalar kernel of doubles.
+
+    Parameters
+    ----------
+    function : galileo_sym.catalogue.Function
+    force_set : str
+        A key of ``function.variants``.
+    """
+    plan = schedule(function, force_set)
+    arguments = function.arguments(force_set)
+    symbols = {a.symbol: a.name for a in arguments}
+    parameters = [f"double {a.name}_in" for a in arguments]
+    if not _single(function):
+        parameters += [f"double *{o.name}_out" for o in function.outputs]
+    head = f"{'double' if _single(function) else 'void'} {c_name(function, force_set)}({', '.join(parameters)})"
+    missing = " || ".join(f"isnan({a.name}_in)" for a in arguments)
+    inside = " && ".join(f"{_DOMAIN_TESTS[a.domain]}({a.name}_in)" for a in arguments)
+    lines = [
+        f"/* {sources_text(function, force_set)}.",
+        f" * Operations: {counts_text(plan)}. */",
+        head,
+        "{",
+        *_guard(function, missing, "NAN"),
+        *_guard(function, f"!({inside})", "gs_invalid()"),
+        *(f"    const gs_scaled {s} = gs_load({symbols[s]}_in);" for s in plan.loads),
+    ]
+    for name, node in plan.steps:
+        if node[0] == "angle":
+            lines.append(f"    const gs_direction {name} = gs_angle({symbols[node[1]]}_in);")
+            continue
+        lines.append(f"    const gs_scaled {name} = {call_text(node, 'gs_')};")
+        if node[0] == "driving":
+            lines += _guard(function, f"{name}.hi <= 0.0", _AT_REST[function.outputs[0].at_rest])
+    results = [_result(function, force_set, o, r) for o, r in zip(function.outputs, plan.results, strict=True)]
+    if _single(function):
+        lines.append(f"    return {results[0]};")
+    else:
+        lines += [f"    *{o.name}_out = {r};" for o, r in zip(function.outputs, results, strict=True)]
+    return "\n".join(lines) + "\n}\n"
+
+
+def _forward(function):
+    """Definition of the unsuffixed function: the kernel of all forces."""
+    signature = _scalar_signature(function, "", _fullest(function), "double")
+    passed = [a.name for a in function.arguments(_fullest(function))]
+    passed += [] if _single(function) else [o.name for o in function.outputs]
+    call = f"{c_name(function, _fullest(function))}({', '.join(passed)});"
+    return f"{signature}\n{{\n    {'return ' if _single(function) else ''}{call}\n}}\n"
+
+
+def _narrow(function, suffix, force_set):
+    """Definition of the binary32 function: computed in double, rounded once."""
+    arguments = function.arguments(force_set)
+    passed = ", ".join(f"gs_widen_angle({a.name})" if a.domain in _ANGLES else f"(double){a.name}" for a in arguments)
+    signature = _scalar_signature(function, suffix, force_set, "float")
+    if _single(function):
+        return f"{signature}\n{{\n    return (float){c_name(function, suffix)}({passed});\n}}\n"
+    names = [o.name for o in function.outputs]
+    wide = ", ".join(f"{n}_wide" for n in names)
+    pointers = ", ".join(f"&{n}_wide" for n in names)
+    stores = "\n".join(f"    *{n} = (float){n}_wide;" for n in names)
+    return f"{signature}\n{{\n    double {wide};\n    {c_name(function, suffix)}({passed}, {pointers});\n{stores}\n}}\n"
+
+
+def _loop(function, suffix, force_set, kind):
+    """Definition of an array function."""
+    scalar = c_name(function, suffix, "f" if kind == "float" else "")
+    passed = ", ".join(f"{a.name}[i]" for a in function.arguments(force_set))
+    if _single(function):
+        body = f"{function.outputs[0].name}[i] = {scalar}({passed});"
+    else:
+        body = f"{scalar}({passed}, {', '.join(f'{o.name} + i' for o in function.outputs)});"
+    signature = _array_signature(function, suffix, force_set, kind)
+    return f"{signature}\n{{\n    for (size_t i = 0; i < n; i++)\n        {body}\n}}\n"
+
+
+def source(paper):
+    """Return the C source of one paper."""
+    parts = []
+    for function in (f for f in FUNCTIONS.values() if f.paper == paper):
+        parts += [kernel(function, force_set) for force_set in function.variants]
+        if _fullest(function):
+            parts.append(_forward(function))
+        for suffix, force_set in variants(function):
+            parts.append(_loop(function, suffix, force_set, "double"))
+            parts.append(_narrow(function, suffix, force_set))
+            parts.append(_loop(function, suffix, force_set, "float"))
+    return '#include "galileo.h"\n#include "galileo_support.h"\n\n' + "\n".join(parts)
+
+
+def _comment(function):
+    arguments = "\n".join(f" *   {a.name} [{a.unit}]: {a.doc}" for a in function.arguments(_fullest(function)))
+    outputs = "\n".join(f" *   {o.name} [{o.unit}]: {o.doc}" for o in function.outputs)
+    sources = "\n".join(f" *   {s or 'only form'}: {', '.join(function.sources(s))}" for s in function.variants)
+    rest = {o.at_rest for o in function.outputs} - {None}
+    held = f" * Where friction holds the bead: {max(rest):g}, without a flag.\n" if rest else ""
+    return (
+        f"/* {function.doc}\n *\n * Arguments\n{arguments}\n * Result{'s' * (len(function.outputs) > 1)}\n{outputs}\n"
+        f" * Accuracy: {function.accuracy}.\n{held} * Equations\n{sources}\n */\n"
+    )
+
+
+_HEADER = """/* Motion on chords and of projectiles under gravity, friction and linear resistance: closed forms, evaluated to full
+ * accuracy over the whole range of the floating-point numbers.
+ *
+ * SI units, angles in radians. Every function comes for double and, with a trailing f, for float (computed in double,
+ * rounded once); and for arrays of n elements, _n and _nf, whose outputs may be the inputs. A suffix names the forces
+ * that act: _free, _friction, _drag, _friction_drag take only the arguments these need; without a suffix all are taken.
+ *
+ * Outside the domain: NaN, and FE_INVALID is raised. NaN in: NaN out, no exception raised. Infinite arguments give the
+ * limit; where there is none, NaN and FE_INVALID. Overflow and underflow are raised by the result only. Needs
+ * round-to-nearest. No allocation, no global state, no errno contract. Link with -lm.
+ */
+#ifndef GALILEO_H
+#define GALILEO_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+"""
+_FOOTER = """#ifdef __cplusplus
+}
+#endif
+
+#endif
+"""
+
+
+def header():
+    """Return the public header."""
+    out = [_HEADER]
+    for function in FUNCTIONS.values():
+        out.append(_comment(function))
+        for suffix, force_set in variants(function):
+            out += [f"{signature};\n" for signature in _signatures(function, suffix, force_set)]
+        out.append("\n")
+    return "".join(out) + _FOOTER

@@ -1,0 +1,37 @@
+"""What both languages share: nodes as nested calls, operation counts and sources in words, undecided limits."""
+
+
+def call_text(node, prefix):
+    """Return a node as nested calls, each operation with a prefix.
+
+    Parameters
+    ----------
+    node : tuple, str or number
+        A node of the schedule.
+    prefix : str
+        Put before each operation: ``""`` in Python, ``"gs_"`` in C.
+    """
+    if isinstance(node, str):
+        return node
+    if isinstance(node, int | float):
+        return repr(node)
+    operands = ", ".join(call_text(operand, prefix) for operand in node[1:])
+    return f"{prefix}{node[0]}({operands})"
+
+
+def counts_text(schedule):
+    """Return the operations of a kernel in words."""
+    return ", ".join(f"{count} {kind}" for kind, count in sorted(schedule.counts.items())) or "no operations"
+
+
+def sources_text(function, force_set):
+    """Return where a kernel comes from: its ledger entry and the printed equations behind it."""
+    return f"{function.ledger_id(force_set)}, the stable form of {', '.join(function.sources(force_set))}"
+
+
+def clash_groups(function, force_set, output):
+    """Return the groups of this kernel's arguments that leave the limit undecided when two are infinite at once."""
+    present = {argument.name for argument in function.arguments(force_set)}
+    groups = [[name for name in group if name in present] for group in output.limits]
+    groups = [group for group in groups if group]
+    return groups if len(groups) > 1 else []

@@ -1,0 +1,240 @@
+"""From a stable form to an ordered list of scaled operations, the same for every language.
+
+A node is a nested tuple (operation, operand, ...) with variable names and numbers at its leaves. Named intermediate
+results become assignments; what two outputs share is computed once.
+"""
+
+from collections import Counter
+from dataclasses import dataclass, field
+from functools import reduce
+
+from sympy import Add, Function, Integer, Mul, Number, Pow, Rational, Symbol, cos, sin
+
+from galileo_sym.catalogue import NAMED, stable
+from galileo_sym.primitives import FUNCTIONS as PRIMITIVES
+from galileo_sym.primitives import driving
+
+# How each function is called: emitted name, name given to its value or argument.
+_OF_ANGLE = {sin: ("sine", "S"), cos: ("cosine", "C"), driving: ("driving", "n")}
+_OF_NUMBER = {
+    "phi1": ("phi1m", "z", -1),
+    "phi2": ("phi2m", "z", -1),
+    "descent_factor": ("descent_factor", "p", 1),
+    "flight_factor": ("flight_factor", "b", 1),
+    "range_factor": ("range_factor", "b", 1),
+    "best_angle": ("best_elevation", None, 1),
+}
+TABLE_CALLS = tuple(name for name, _, _ in _OF_NUMBER.values())
+_COUNTED = {
+    "mul": "mul",
+    "div": "div",
+    "add": "add",
+    "sub": "add",
+    "sqrt": "sqrt",
+    "angle": "sine and cosine",
+    "driving": "driving force",
+    **dict.fromkeys(TABLE_CALLS, "table"),
+}
+
+
+@dataclass
+class Schedule:
+    """The plan of one kernel.
+
+    ``loads`` are the symbols of the arguments taken as scaled pairs, in order; ``steps`` (name, node) assignments in
+    order; ``results`` one node for each output.
+    """
+
+    loads: list = field(default_factory=list)
+    steps: list = field(default_factory=list)
+    results: list = field(default_factory=list)
+
+    @property
+    def counts(self):
+        """Return the number of operations of each kind."""
+        total = Counter()
+        for node in [node for _, node in self.steps] + self.results:
+            _count(node, total)
+        return total
+
+
+def _count(node, total):
+    if isinstance(node, tuple):
+        if node[0] in _COUNTED:
+            total[_COUNTED[node[0]]] += 1
+        for operand in node[1:]:
+            _count(operand, total)
+
+
+class _Scheduler:
+    def __init__(self, paper, order):
+        self.schedule = Schedule()
+        self.order = {symbol: i for i, symbol in enumerate(order)}
+        self.named = [(name, form) for name, forms in NAMED[paper].items() for form in forms]
+        self.known = {}
+        self.used = set()
+
+    def assign(self, name, expression, node):
+        """Give a value a name, once."""
+        if expression not in self.known:
+            self.schedule.steps.append((name, node))
+            self.known[expression] = name
+        return self.known[expression]
+
+    def lower(self, expression):
+        """Return the node of an expression."""
+        if expression in self.known:
+            return self.known[expression]
+        for kind, method in _LOWERING.items():
+            if isinstance(expression, kind):
+                return method(self, expression)
+        raise TypeError(f"no scaled operation for {expression}: a stable form has products, sums, roots and primitives")
+
+    def symbol(self, expression):
+        """Name of an argument, to be loaded."""
+        self.used.add(expression)
+        return expression.name
+
+    def number(self, expression):
+        """Node of a numerical constant."""
+        if Rational(float(expression)) != expression:
+            raise TypeError(f"{expression} is not a double: write it as a quotient of ones that are")
+        return ("constant", float(expression))
+
+    def function(self, expression):
+        """Node of a sine, cosine, driving force or primitive."""
+        if expression.func in _OF_ANGLE:
+            call, name = _OF_ANGLE[expression.func]
+            angle = self.assign("a", ("angle", expression.args[0]), ("angle", expression.args[0].name))
+            rest = tuple(self.lower(argument) for argument in expression.args[1:])
+            return self.assign(name, expression, (call, angle, *rest))
+        if expression.func.__name__ not in PRIMITIVES:
+            raise TypeError(f"no emitted function for {expression.func}")
+        call, name, sign = _OF_NUMBER[expression.func.__name__]
+        argument = sign * expression.args[0]
+        node = self.lower(argument)
+        return (call, self.assign(name, argument, node) if name and not argument.is_Symbol else node)
+
+    def sum(self, expression):
+        """Node of a sum: positive terms first."""
+        terms = sorted(expression.args, key=lambda a: (a.could_extract_minus_sign(), not a.is_Number, str(a)))
+        node = self.lower(terms[0])
+        for term in terms[1:]:
+            minus = term.could_extract_minus_sign()
+            node = ("sub" if minus else "add", node, self.lower(-term if minus else term))
+        return node
+
+    def product(self, expression):
+        """Node of a product or power: named factors first, square roots gathered into one."""
+        powers = expression.as_powers_dict()
+        for name, form in self.named:
+            powers = self._factor_out(name, form, powers)
+        whole = {b: e for b, e in powers.items() if e.is_Integer}
+        half = {b: 2 * e for b, e in powers.items() if not e.is_Integer}
+        node = self._quotient(whole) if whole else None
+        if half:
+            root = ("sqrt", self._quotient(half))
+            node = root if node is None else ("mul", root, node)
+        return node
+
+    def _factor_out(self, name, form, powers):
+        wanted = {b: e for b, e in form.as_powers_dict().items() if not b.is_Number}
+        if not all(b in powers and powers[b] / e >= 1 for b, e in wanted.items()):
+            return powers
+        left = {b: e - wanted.get(b, 0) for b, e in powers.items()}
+        numbers = {b: e for b, e in left.items() if b.is_Number and not e.is_Integer}
+        key = Mul(form, *(b**e for b, e in numbers.items()))
+        if key not in self.known:
+            inside = self.named
+            self.named = [pair for pair in inside if pair[0] != name]
+            node = self.product(key)
+            self.named = inside
+            self.assign(name, key, node)
+        self.known[Symbol(self.known[key])] = self.known[key]
+        rest = {b: e for b, e in left.items() if e != 0 and b not in numbers}
+        return {Symbol(self.known[key]): Integer(1), **rest}
+
+    def _rank(self, base):
+        if base in self.order:
+            return (0, self.order[base], "")
+        if base.is_Symbol:
+            return (1, 0, base.name)
+        return (2 if base.func in _OF_ANGLE else 3, 0, str(base))
+
+    def _quotient(self, powers):
+        """Node of a product of integer powers; what depends on the angle is multiplied among itself first."""
+        coefficient = reduce(
+            lambda x, be: x * be[0] ** be[1], ((b, e) for b, e in powers.items() if b.is_Number), Integer(1)
+        )
+        bases = sorted((b for b in powers if not b.is_Number), key=self._rank)
+        above = [n for b in bases for n in [self.lower(b)] * max(int(powers[b]), 0)]
+        below = [n for b in bases for n in [self.lower(b)] * max(-int(powers[b]), 0)]
+        node = reduce(lambda x, y: ("mul", x, y), above) if above else None
+        if below:
+            node = ("div", node or ("constant", 1.0), reduce(lambda x, y: ("mul", x, y), below))
+        return self._scaled(coefficient, node)
+
+    def _scaled(self, coefficient, node):
+        if coefficient == 1 or node is None:
+            return node or self.number(coefficient)
+        odd, twos = coefficient, 0
+        while odd.p % 2 == 0:
+            odd, twos = odd / 2, twos + 1
+        while odd.q % 2 == 0:
+            odd, twos = odd * 2, twos - 1
+        if odd != 1:
+            node = ("mul", self.number(Integer(odd.p)), node)
+            node = node if odd.q == 1 else ("div", node, self.number(Integer(odd.q)))
+        return ("scale", node, twos) if twos else node
+
+
+_LOWERING = {
+    Symbol: _Scheduler.symbol,
+    Number: _Scheduler.number,
+    Function: _Scheduler.function,
+    Add: _Scheduler.sum,
+    Mul: _Scheduler.product,
+    Pow: _Scheduler.product,
+}
+
+
+def _shared_factor(forms):
+    """Return the product of the factors that all outputs have in common, without numbers; 1 if there is none."""
+    powers = [form.as_powers_dict() for form in forms if form != 0]
+    if len(powers) < 2 or any(form.is_Add for form in forms):
+        return Integer(1)
+    common = {b: min(p[b] for p in powers) for b in powers[0] if not b.is_Number and all(b in p for p in powers)}
+    return Mul(*(b**e for b, e in common.items()))
+
+
+def schedule(function, force_set):
+    """Plan one kernel.
+
+    Parameters
+    ----------
+    function : galileo_sym.catalogue.Function
+    force_set : str
+        A key of ``function.variants``.
+
+    Returns
+    -------
+    Schedule
+
+    Raises
+    ------
+    TypeError
+        If the stable form holds something that has no scaled operation.
+    """
+    forms = stable(function, force_set)
+    names = [argument.symbol for argument in function.arguments(force_set)]
+    symbols = sorted({s for form in forms for s in form.free_symbols}, key=lambda s: names.index(s.name))
+    scheduler = _Scheduler(function.paper, symbols)
+    shared = _shared_factor(forms)
+    if shared.is_Mul:
+        symbol = Symbol("shared")
+        node = scheduler.lower(shared)
+        scheduler.known[symbol] = node if isinstance(node, str) else scheduler.assign("shared", symbol, node)
+        forms = [form / shared * symbol for form in forms]
+    scheduler.schedule.results = [scheduler.lower(form) for form in forms]
+    scheduler.schedule.loads = [s.name for s in symbols if s in scheduler.used]
+    return scheduler.schedule

@@ -1,0 +1,137 @@
+"""The approximations that emitted code evaluates: which function, how far the table reaches, and what comes after."""
+
+from dataclasses import dataclass
+from functools import cache
+
+from mpmath import mp, mpf
+
+from galileo_sym.primitives.fit import fit, pieces_up_to
+from galileo_sym.primitives.multiprecision import mp_value
+
+DEGREE = 12
+TOLERANCE = 2.0**-55
+
+
+@dataclass(frozen=True)
+class Far:
+    """Behaviour beyond the table: 2**shift * x**power * (1 + correction * x**-order), power -1, 0 or 1."""
+
+    power: int
+    shift: int
+    correction: float
+    order: int
+
+
+@dataclass(frozen=True)
+class Table:
+    """A tabulated function of x in [0, x_max].
+
+    ``name`` is the emitted one; ``value`` maps mpf to mpf; ``far`` is None where the caller never goes beyond x_max;
+    ``doc`` says what is tabulated.
+    """
+
+    name: str
+    value: object
+    x_max: float
+    far: Far | None
+    doc: str
+
+    @property
+    def count(self):
+        """Number of pieces."""
+        return pieces_up_to(self.x_max)
+
+
+def _of(name, sign=1):
+    return lambda x: mp_value(name, sign * x)
+
+
+# x_max: where the terms that the far form leaves out fall below 2**-57 of the value.
+TABLES = {
+    table.name: table
+    for table in (
+        Table("phi1m", _of("phi1", -1), 43.0, Far(-1, 0, 0.0, 1), "phi1(-z) = (1 - exp(-z))/z"),
+        Table("phi2m", _of("phi2", -1), 43.0, Far(-1, 0, -1.0, 1), "phi2(-z) = (z - 1 + exp(-z))/z^2"),
+        Table(
+            "descent_factor",
+            _of("descent_factor"),
+            9.0,
+            Far(1, -1, 2.0, 2),
+            "tau/p with tau - 1 + exp(-tau) = p^2/2",
+        ),
+        Table(
+            "flight_factor",
+            _of("flight_factor"),
+            43.0,
+            Far(0, -1, 1.0, 1),
+            "T/(2 b) with T = (1 + b)(1 - exp(-T))",
+        ),
+        Table(
+            "range_factor",
+            _of("range_factor"),
+            43.0,
+            Far(-1, -1, 0.0, 1),
+            "(1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T))",
+        ),
+        Table("best_angle", _of("best_angle"), 1023.0, None, "asin(a/(exp(s) - 1)) with 1 + (s - 1) exp(s) = a^2"),
+        Table("wright_omega", _of("wright_omega"), 1535.0, None, "w with w + log(w) = y"),
+        Table("log1p", _of("log1p"), 1.0, None, "log(1 + x)"),
+    )
+}
+
+# Sine and cosine at i/64 up to pi/4 and half a step more, each as the sum of three doubles.
+ANGLE_STEPS = 64
+ANGLE_COUNT = 51
+
+
+def split(value, parts):
+    """Return a real number as an unevaluated sum of doubles, each the rest rounded."""
+    result = []
+    for _ in range(parts):
+        result.append(float(value))
+        value = value - mpf(result[-1])
+    return tuple(result)
+
+
+@cache
+def pieces(name):
+    """Return the fitted pieces of a table; computed once in a process.
+
+    Raises
+    ------
+    KeyError
+        If there is no table of that name.
+    """
+    table = TABLES[name]
+    return fit(table.value, table.x_max, DEGREE, TOLERANCE)
+
+
+@cache
+def angle_rows():
+    """Return ((sin parts, cos parts), ...) at i/64, three doubles each."""
+    with mp.workdps(70):
+        return tuple(
+            (split(mp.sin(mpf(i) / ANGLE_STEPS), 3), split(mp.cos(mpf(i) / ANGLE_STEPS), 3)) for i in range(ANGLE_COUNT)
+        )
+
+
+@cache
+def series_rows(name, count):
+    """Return Taylor coefficients, as pairs from d**2 on: of sin(d)/d - 1 (``sinc``) or of cos(d) - 1 (``cosm1``)."""
+    offset = {"sinc": 1, "cosm1": 0}[name]
+    with mp.workdps(70):
+        return tuple(split((-1) ** k / mp.factorial(2 * k + offset), 2) for k in range(1, count + 1))
+
+
+@cache
+def constants():
+    """Return the constants emitted code needs: pi/2 and log(2) as sums of doubles.
+
+    The first part of log(2) has 32 bits, so that its product with an exponent is exact.
+    """
+    with mp.workdps(70):
+        head = mpf(int(mp.log(2) * 2**32)) / 2**32
+        return {
+            "half_pi": split(mp.pi / 2, 3),
+            "log_2": (float(head), *split(mp.log(2) - head, 2)),
+        }

@@ -1,0 +1,130 @@
+"""References for the tests: the printed equations, evaluated by mpmath with digits enough for their cancellation."""
+
+import math
+
+from mpmath import mp, mpf
+
+_BITS = 260
+
+
+def _spare(*numbers):
+    """Bits that terms cancelling down to one of these numbers may cost."""
+    return _BITS + sum(abs(int(mp.mag(x))) for x in numbers if x)
+
+
+def _reduced_time(c):
+    """z > 0 with z - 1 + exp(-z) = c."""
+    if c > 500:
+        return c + 1 - mp.exp(-c - 1)
+    z = mp.sqrt(2 * c) if c < 1 else c + 1
+    for _ in range(80):
+        step = (z - 1 + mp.exp(-z) - c) / (1 - mp.exp(-z))
+        z -= step
+        if abs(step) < z * mpf(2) ** -200:
+            return z
+    raise ArithmeticError("Newton did not settle")
+
+
+def _slope(theta, mu):
+    return mp.cos(theta) - mu * mp.sin(abs(theta))
+
+
+def descent_time(theta, diameter, g, mu=0, gamma=0):
+    theta, diameter, g, mu, gamma = map(mpf, (theta, diameter, g, mu, gamma))
+    with mp.workprec(1500):
+        n = _slope(theta, mu)
+        if n <= 0:
+            return mp.inf
+        length = diameter * mp.cos(theta) / n
+        c = length * gamma**2 / g
+    with mp.workprec(_spare(c, c, c)):
+        return _reduced_time(c) / gamma if gamma else mp.sqrt(2 * length / g)
+
+
+def _travel(t, g, gamma):
+    with mp.workprec(_spare(*[gamma * t] * 3)):
+        if not gamma or not t:
+            return g * t**2 / 2
+        return g / gamma * t - g / gamma**2 * (1 - mp.exp(-gamma * t))
+
+
+def distance(t, theta, g, mu=0, gamma=0):
+    t, theta, g, mu, gamma = map(mpf, (t, theta, g, mu, gamma))
+    with mp.workprec(1500):
+        n = max(_slope(theta, mu), mpf(0))
+    return _travel(t, g, gamma) * n
+
+
+def chord_position(t, theta, g, mu=0, gamma=0):
+    s = distance(t, theta, g, mu, gamma)
+    with mp.workprec(_BITS):
+        return s * mp.sin(theta), s * mp.cos(theta)
+
+
+def synchronous_circle(t, g, mu=0, gamma=0):
+    t, g, mu, gamma = map(mpf, (t, g, mu, gamma))
+    half = _travel(t, g, gamma) / 2
+    with mp.workprec(_spare(mu, mu)):
+        return mu * half, half, mp.sqrt(1 + mu**2) * half
+
+
+def _impact(b):
+    """T > 0 with (1 + b)(1 - exp(-T)) = T."""
+    if b > 500:
+        return 1 + b
+    T = 2 * b if b < 1 else 1 + b
+    for _ in range(80):
+        step = (T - (1 + b) * (1 - mp.exp(-T))) / (1 - (1 + b) * mp.exp(-T))
+        T -= step
+        if abs(step) < T * mpf(2) ** -200:
+            return T
+    raise ArithmeticError("Newton did not settle")
+
+
+def flight_time(theta, v, g, k=0):
+    theta, v, g, k = map(mpf, (theta, v, g, k))
+    rise = v * mp.sin(theta) / g
+    with mp.workprec(_spare(*[k * rise] * 3)):
+        rise = v * mp.sin(theta) / g
+        return _impact(k * rise) / k if k and rise else 2 * rise
+
+
+def horizontal_range(theta, v, g, k=0):
+    theta, v, g, k = map(mpf, (theta, v, g, k))
+    time = flight_time(theta, v, g, k)
+    with mp.workprec(_spare(*[k * time] * 3)):
+        return v * mp.cos(theta) * ((1 - mp.exp(-k * time)) / k if k else time)
+
+
+def projectile_position(t, theta, v, g, k=0):
+    """x, y, and the larger of the two terms of y."""
+    t, theta, v, g, k = map(mpf, (t, theta, v, g, k))
+    fall = _travel(t, g, k)
+    with mp.workprec(_spare(*[k * t] * 3)):
+        reach = v * ((1 - mp.exp(-k * t)) / k if k else t)
+        rise = reach * mp.sin(theta)
+        return reach * mp.cos(theta), rise - fall, max(rise, fall)
+
+
+def best_angle(alpha):
+    alpha = mpf(alpha)
+    if alpha == 0:
+        return mp.pi / 4
+    with mp.workprec(_spare(*[alpha] * 6)):
+        if alpha == 1:
+            return mp.asin(1 / (mp.e - 1))
+        w = mp.lambertw((alpha**2 - 1) / mp.e).real
+        return mp.asin(alpha * w / (alpha**2 - 1 - w))
+
+
+def ulps(value, exact, scale=None, bits=53):
+    """Error of a float in units in the last place of the exact value, or of another one."""
+    scale = abs(exact if scale is None else scale)
+    if not math.isfinite(value):
+        return 0.0 if value == float(exact) else math.inf
+    if scale == 0:
+        return 0.0 if value == exact else math.inf
+    tiny = {53: -1074, 24: -149}[bits]
+    with mp.workprec(_BITS):
+        unit = mpf(2) ** max(mp.mag(scale) - bits, tiny)
+        return float(abs(mpf(float(value)) - exact) / unit)
