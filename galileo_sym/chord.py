@@ -1,0 +1,147 @@
+"""Beads sliding from rest along chords from the top of a vertical circle (Aguiar, Soares and Tort, 2014).
+
+SI units, angles in radians from the vertical. Arguments are array-likes that broadcast; float64 and float32 in, the same
+out; scalars give scalars. Outside the domain the result is NaN, with NumPy's 'invalid' floating-point error state; NaN
+gives NaN without it. An infinite argument gives the limit, or NaN and 'invalid' where there is none. All functions take
+``out``, ``where``, ``dtype`` and ``casting`` as NumPy's ufuncs do.
+
+Accuracy, for float64: within 1 ulp of the exact result at the arguments given, however large or small they are, as
+measured against mpmath; whether a bead slides at all is decided by the exact sign of cos|theta| - mu sin|theta|.
+"""
+
+from galileo_sym._front import serve
+from galileo_sym.generated.chord import FUNCTIONS
+
+__all__ = ["descent_time", "distance", "position", "synchronous_circle"]
+
+
+def descent_time(theta, *, diameter, g, mu=0.0, gamma=0.0, **options):
+    """Time a bead takes from the top of the circle to the end of its chord.
+
+    Parameters
+    ----------
+    theta : array_like
+        Angle of the chord from the vertical, in rad, signed; ``|theta| <= pi/2``.
+    diameter : array_like
+        Diameter of the circle, in m; > 0.
+    g : array_like
+        Acceleration of gravity, in m/s²; > 0.
+    mu : array_like, optional
+        Coefficient of sliding friction, equal to the static one; >= 0.
+    gamma : array_like, optional
+        Linear drag coefficient over mass, in 1/s; >= 0.
+    **options
+        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+
+    Returns
+    -------
+    ndarray or scalar
+        Descent time in s; ``inf``, without a flag, where friction holds the bead (``|theta| >= theta_max``). Without
+        friction it does not depend on `theta`: Galileo's paradox.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    Equations (4), (17), (18), (36) and (43) of the chord paper, as sqrt(2 D/g cos θ/(cos θ - μ sin|θ|)) times
+    ``descent_factor``.
+
+    Examples
+    --------
+    >>> float(round(descent_time(0.0, diameter=1.0, g=9.81, gamma=1e-8), 5))
+    0.45152
+    """
+    return serve(FUNCTIONS["descent_time"], (theta, diameter, g), {"mu": mu, "gamma": gamma}, **options)
+
+
+def distance(t, theta, *, g, mu=0.0, gamma=0.0, **options):
+    """Distance a bead has gone along its chord.
+
+    Parameters
+    ----------
+    t : array_like
+        Time since release, in s; >= 0. The chord has no end here: positions are not clipped at arrival.
+    theta : array_like
+        Angle of the chord from the vertical, in rad, signed; ``|theta| <= pi/2``.
+    g : array_like
+        Acceleration of gravity, in m/s²; > 0.
+    mu : array_like, optional
+        Coefficient of sliding friction, equal to the static one; >= 0.
+    gamma : array_like, optional
+        Linear drag coefficient over mass, in 1/s; >= 0.
+    **options
+        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+
+    Returns
+    -------
+    ndarray or scalar
+        Distance in m; 0 where friction holds the bead.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    Equations (1), (15), (29) and (41) of the chord paper, as g t²/2 (cos θ - μ sin|θ|) times 2 φ₂(-γt).
+    """
+    return serve(FUNCTIONS["distance"], (t, theta, g), {"mu": mu, "gamma": gamma}, **options)
+
+
+def position(t, theta, *, g, mu=0.0, gamma=0.0, **options):
+    """Position of a bead, x to the right and y down from the top of the circle.
+
+    Parameters
+    ----------
+    t, theta, g, mu, gamma : array_like
+        As for `distance`.
+    **options
+        ``out`` (a pair of arrays), ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+
+    Returns
+    -------
+    x, y : ndarray or scalar
+        Coordinates in m: s sin θ and s cos θ; (0, 0) where friction holds the bead.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    Equations (5), (6), (19), (20), and the coordinates of section 1 with (29) and (41) of the chord paper.
+    """
+    return serve(FUNCTIONS["position"], (t, theta, g), {"mu": mu, "gamma": gamma}, **options)
+
+
+def synchronous_circle(t, *, g, mu=0.0, gamma=0.0, **options):
+    """Circle on which beads released together from the top are found at one time.
+
+    Parameters
+    ----------
+    t, g, mu, gamma : array_like
+        As for `distance`.
+    **options
+        ``out`` (three arrays), ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+
+    Returns
+    -------
+    X, Y, R : ndarray or scalar
+        In m, y down: the centre is (-X, Y) for beads with theta > 0 and (X, Y) for those with theta < 0, the radius R.
+        X >= 0, and 0 without friction.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    Equations (10), (22), (32) and (45)-(47) of the chord paper.
+    """
+    return serve(FUNCTIONS["synchronous_circle"], (t, g), {"mu": mu, "gamma": gamma}, **options)

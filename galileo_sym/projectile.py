@@ -1,0 +1,137 @@
+"""Projectiles under gravity and linear resistance (Packel and Yuen, 2004).
+
+SI units, angles in radians from the horizontal. Arguments are array-likes that broadcast; float64 and float32 in, the
+same out; scalars give scalars. Outside the domain the result is NaN, with NumPy's 'invalid' floating-point error state;
+NaN gives NaN without it. An infinite argument gives the limit, or NaN and 'invalid' where there is none. All functions
+take ``out``, ``where``, ``dtype`` and ``casting`` as NumPy's ufuncs do.
+
+Accuracy, for float64: within 1 ulp of the exact result at the arguments given, however large or small they are, as
+measured against mpmath; the height within 1 ulp of the larger of its two terms, which cancel at landing.
+"""
+
+from galileo_sym._front import serve
+from galileo_sym.generated.projectile import FUNCTIONS
+
+__all__ = ["best_angle", "flight_time", "horizontal_range", "position"]
+
+
+def flight_time(theta, *, v, g, k=0.0, **options):
+    """Time until a projectile is back at the height of its launch.
+
+    Parameters
+    ----------
+    theta : array_like
+        Elevation of the launch, in rad; ``0 <= theta <= pi/2``.
+    v : array_like
+        Launch speed, in m/s; > 0.
+    g : array_like
+        Acceleration of gravity, in m/s²; > 0.
+    k : array_like, optional
+        Linear resistance coefficient over mass, in 1/s; >= 0.
+    **options
+        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+
+    Returns
+    -------
+    ndarray or scalar
+        Flight time in s.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    The impact time of the projectile paper, by its result (3), as 2 v sin θ/g times ``flight_factor``.
+
+    Examples
+    --------
+    >>> float(round(flight_time(0.5, v=10.0, g=9.81, k=1e-9), 5))
+    0.97742
+    """
+    return serve(FUNCTIONS["flight_time"], (theta, v, g), {"k": k}, **options)
+
+
+def horizontal_range(theta, *, v, g, k=0.0, **options):
+    """Horizontal distance at which a projectile is back at the height of its launch.
+
+    Parameters
+    ----------
+    theta, v, g, k : array_like
+        As for `flight_time`.
+    **options
+        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+
+    Returns
+    -------
+    ndarray or scalar
+        Range in m.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    The range formula of the projectile paper, as 2 v² sin θ cos θ/g times ``range_factor``.
+    """
+    return serve(FUNCTIONS["horizontal_range"], (theta, v, g), {"k": k}, **options)
+
+
+def position(t, theta, *, v, g, k=0.0, **options):
+    """Position of a projectile, y up from the launch.
+
+    Parameters
+    ----------
+    t : array_like
+        Time since launch, in s; >= 0. Positions are not clipped at landing.
+    theta, v, g, k : array_like
+        As for `flight_time`.
+    **options
+        ``out`` (a pair of arrays), ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+
+    Returns
+    -------
+    x, y : ndarray or scalar
+        Coordinates in m.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    The solution of the equations of motion in the projectile paper, as v t cos θ φ₁(-kt) and
+    v t sin θ φ₁(-kt) - g t² φ₂(-kt).
+    """
+    return serve(FUNCTIONS["position"], (t, theta, v, g), {"k": k}, **options)
+
+
+def best_angle(alpha, **options):
+    """Elevation of greatest range.
+
+    Parameters
+    ----------
+    alpha : array_like
+        k v/g, the resistance at launch speed over the weight, dimensionless; >= 0.
+    **options
+        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+
+    Returns
+    -------
+    ndarray or scalar
+        Elevation in rad: pi/4 at 0, decreasing to 0.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    Theorem 3 of the projectile paper, both of its cases in one form.
+    """
+    return serve(FUNCTIONS["best_angle"], (alpha,), {}, **options)
