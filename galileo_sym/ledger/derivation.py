@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 from sympy.logic.boolalg import Boolean
 
-from .environment import definitions
+from .environment import equations
 
 
 class DerivationError(ValueError):
@@ -112,9 +112,8 @@ class Premise:
         return self.statement.subs(*args, **kwargs)
 
     def of(self, symbol):
-        """What an explicit statement says `symbol` (or f(t)) is; parts of a conjunction and tuples are searched."""
-
-        found = definitions(self.statement)
+        """What the statement says `symbol`, f(t) or f(0) is; parts of a conjunction and tuples are searched."""
+        found = {a: b for a, b in equations(self.statement) if not sp.sympify(b).has(a)}
         if symbol not in found:
             raise DerivationError(f"{self.id} does not say what {symbol} is: {self._statement}")
         return found[symbol]

@@ -14,17 +14,18 @@ DEEPEST = 200  # no chain of definitions, nor any expression here, is deeper
 
 def definitions(statement) -> dict:
     """What an explicit statement defines: Eq(symbol, expr), Eq(f(t), expr), or conjunctions and tuples of them."""
+    return {a: b for a, b in equations(statement) if _definable(a, b)}
+
+
+def equations(statement):
+    """The sides of every equation in a statement: conjunctions and tuples are taken apart."""
     if isinstance(statement, sp.And):
-        found = {}
         for part in statement.args:
-            found.update(definitions(part))
-        return found
-    if not isinstance(statement, sp.Eq):
-        return {}
-    left, right = statement.args
-    if isinstance(left, sp.Tuple) and isinstance(right, sp.Tuple):
-        return {a: b for a, b in zip(left, right, strict=True) if _definable(a, b)}
-    return {left: right} if _definable(left, right) else {}
+            yield from equations(part)
+    elif isinstance(statement, sp.Eq):
+        left, right = statement.args
+        tuples = isinstance(left, sp.Tuple) and isinstance(right, sp.Tuple)
+        yield from zip(left, right, strict=True) if tuples else ((left, right),)
 
 
 def _definable(left, right):
@@ -67,8 +68,7 @@ def resolve(expr, given: dict, keep=frozenset(), depth=0):
 
 def _body_of(function, given):
     for applied, expr in given.items():
-        general = isinstance(applied, AppliedUndef) and all(isinstance(a, sp.Symbol) for a in applied.args)
-        if general and applied.func == function:
+        if _general(applied) and applied.func == function:
             return sp.Lambda(applied.args, expr)
     return None
 

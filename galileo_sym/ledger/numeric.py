@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 import mpmath
 import sympy as sp
 from mpmath import mp
@@ -31,6 +33,7 @@ def value(expr, point, digits):
         return mp.mpmathify(_compiled(tuple(symbols), expr)(*numbers))
 
 
+@functools.lru_cache(maxsize=4096)
 def _number(exact, digits):
     if isinstance(exact, mpmath.mpf | mpmath.mpc):
         return exact
@@ -97,10 +100,15 @@ def _bind(point, values):
 
 def sign(expr, point) -> int:
     """The sign of a real expression at a point: 0 if it vanishes to 50 digits of its terms at every precision."""
+    before = None
     for digits in DIGITS:
         size, scale = _size(expr, point, digits)
-        if abs(size) > scale * mp.mpf(10) ** (-(digits * 2) // 3):
+        if _shrinks(abs(size), before, digits):
+            return 0
+        clear = before is not None or abs(size) > mp.mpf(10) ** (-digits // 2)
+        if clear and abs(size) > scale * mp.mpf(10) ** (-(digits * 2) // 3):
             return 1 if size > 0 else -1
+        before = (abs(size), digits)
     return 0
 
 
@@ -153,7 +161,7 @@ def _equal(left, right, point):
         if gap <= scale * mp.mpf(10) ** -AGREE or _shrinks(gap, before, digits):
             return True
         before = (gap, digits)
-    return False
+    return gap <= mp.mpf(10) ** -digits  # less than all digits tried can tell from 0; other points decide
 
 
 def _diverges(limit, point):
