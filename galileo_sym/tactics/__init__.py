@@ -1,11 +1,23 @@
 """The symbolic moves that derivations are made of, one small module each."""
 
+from .boxes import box_of, relation_of, sign_on, trig_box
 from .circles import Circle, read_circle, sine_maximum, trace_circle
 from .eliminate import eliminate, eliminate_angle
 from .implicit import implicit_derivative
+from .inverse import inverse_between, undo
 from .limits import elementary_limit, limit_by_parameter
+from .linear_exponential import (
+    check_root,
+    other_branch,
+    read_coefficients,
+    root_of_product,
+    simplify_inside,
+    solve_linear_exponential,
+)
 from .ode import at_rest, integrate_from_zero, solve_motion, start_of
+from .roots import bound_by_end, least_value, monotone_on_half_line, one_root, unique_maximum
 from .signs import (
+    arguments_reversed,
     ladder,
     monotone,
     monotone_through,
@@ -18,20 +30,43 @@ from .solve import isolate, substitute
 
 __all__ = [
     "Circle",
+    "arguments_reversed",
     "at_rest",
+    "bound_by_end",
+    "box_of",
+    "check_root",
     "elementary_limit",
     "eliminate",
     "eliminate_angle",
     "implicit_derivative",
     "integrate_from_zero",
+    "inverse_between",
     "isolate",
     "ladder",
+    "least_value",
     "limit_by_parameter",
-    "monotone", "monotone_through", "not_negative", "positive_before_root",
+    "monotone",
+    "monotone_on_half_line",
+    "monotone_through",
+    "not_negative",
+    "one_root",
+    "other_branch",
+    "positive_before_root",
     "read_circle",
+    "read_coefficients",
+    "relation_of",
+    "root_of_product",
     "sign_by_factors",
-    "sine_maximum", "solve_motion",
+    "sign_on",
+    "simplify_inside",
+    "sine_maximum",
+    "solve_linear_exponential",
+    "solve_motion",
     "start_of",
     "substitute",
-    "trace_circle", "values_ordered",
+    "trace_circle",
+    "trig_box",
+    "undo",
+    "unique_maximum",
+    "values_ordered",
 ]  # fmt: skip

@@ -1,0 +1,86 @@
+"""Symbols of the projectile paper: y points up, theta is the elevation from the horizontal.
+
+The paper uses some letters twice. Here y(t) is the height and y(u) the Lemma's W(u*exp(u)), R(theta) the range without
+and R(k, theta) with resistance, U(k, theta) is u where k and theta are the independent variables, q is the argument x
+of W, and tau, a_3 ... d_3 are the t, a ... d of the proof of Theorem 3.
+"""
+
+import sympy as sp
+from mpmath import mp
+
+from galileo_sym.ledger import LENGTH, ONE, TIME, Notation
+
+notation = Notation("projectile")
+symbol, function = notation.symbol, notation.function
+
+g = symbol("g", LENGTH / TIME**2, "gravity", positive=True)
+v = symbol("v", LENGTH / TIME, "launch speed", positive=True)
+k = symbol("k", 1 / TIME, "resistance for unit mass and speed", positive=True)
+alpha = symbol("alpha", ONE, "k*v/g", positive=True)
+theta = symbol("theta", ONE, "elevation at launch, from the horizontal", real=True)
+theta_max = symbol("theta_max", ONE, "elevation of the largest range", positive=True)
+t = symbol("t", TIME, "time since launch; the unknown of result (3)", real=True)
+a = symbol("a", 1 / TIME, "coefficient of t in result (3)", real=True, nonzero=True)
+b = symbol("b", ONE, "constant term in result (3)", real=True)
+c = symbol("c", ONE, "coefficient of the exponential in result (3)", real=True)
+d = symbol("d", 1 / TIME, "exponent in result (3)", real=True, nonzero=True)
+w = symbol("w", ONE, "argument of T(w) = w*exp(w)", real=True)
+q = symbol("q", ONE, "argument of W", real=True)
+u = symbol("u", ONE, "-1 - k*v*sin(theta)/g", negative=True)
+s = symbol("s", ONE, "k times the impact time", positive=True)
+r = symbol("r", LENGTH, "a range below the largest", nonnegative=True)
+share = symbol("share", ONE, "r over the largest range", nonnegative=True)
+delta = symbol("delta", ONE, "distance of an angle from pi/4", positive=True)
+output = symbol("output", LENGTH / TIME, "what the Mathematica commands put out", real=True)
+tau = symbol("tau", ONE, "1/(alpha**2 - 1 - u)", real=True)
+a_3 = symbol("a_3", ONE, "a of result (3) in the proof of Theorem 3", positive=True)
+b_3 = symbol("b_3", ONE, "b of result (3) in the proof of Theorem 3", real=True)
+c_3 = symbol("c_3", ONE, "c of result (3) in the proof of Theorem 3", positive=True)
+d_3 = symbol("d_3", ONE, "d of result (3) in the proof of Theorem 3", real=True, nonzero=True)
+
+x = function("x", LENGTH, "horizontal coordinate")
+y = function("y", LENGTH, "height y(t); the Lemma's y(u) = W(u*exp(u)) is a pure number")
+v_x = function("v_x", LENGTH / TIME, "horizontal velocity")
+v_y = function("v_y", LENGTH / TIME, "vertical velocity")
+R = function("R", LENGTH, "horizontal range")
+T = function("T", ONE, "w*exp(w)")
+U = function("U", ONE, "u as a function of k and theta")
+
+notation.dimensions[y(u)] = ONE
+
+HALF_TURN = sp.Interval(0, sp.pi / 2)
+BETWEEN = sp.Interval.open(0, sp.pi / 2)
+RISING = sp.Interval.Lopen(0, sp.pi / 2)
+BEYOND = sp.Interval.open(-sp.oo, -1)
+
+W_u = sp.LambertW(u * sp.exp(u))
+U_OF_THETA = -1 - k * v * sp.sin(theta) / g
+
+
+class StationaryAngle(sp.Function):
+    """The elevation at which tan(theta)**2 + dy/du is 0, as a number for trials: found by bracketing, not by (3).
+
+    Argument: alpha > 0. The root is bracketed between 1/(4 + 4 alpha) and pi/4.
+    """
+
+    nargs = 1
+    is_real = True
+    is_positive = True
+
+    @staticmethod
+    def mp_value(a):
+        """The angle to the working precision of mpmath."""
+        with mp.workdps(2 * mp.dps + 40):  # y + 1 loses half of the digits as alpha goes to 0
+            a = mp.mpf(a)
+
+            def condition(angle):
+                at = -1 - a * mp.sin(angle)
+                inverse = mp.lambertw(at * mp.exp(at)).real
+                return mp.tan(angle) ** 2 + (at + 1) * inverse / ((inverse + 1) * at)
+
+            found = mp.findroot(condition, (1 / (4 + 4 * a), mp.pi / 4), solver="anderson", maxsteps=300)
+        return +found
+
+    def _eval_evalf(self, prec):
+        with mp.workprec(prec):
+            return sp.Float(self.mp_value(mp.mpmathify(self.args[0].evalf(mp.dps + 5))), precision=prec)

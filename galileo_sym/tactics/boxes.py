@@ -1,0 +1,102 @@
+"""Signs of expressions whose parts are known to lie in intervals."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
+
+from galileo_sym.ledger import DerivationError, tactic
+
+PLUS = sp.Interval.open(0, sp.oo)
+MINUS = sp.Interval.open(-sp.oo, 0)
+
+# where each function keeps one sign: the open interval of its argument, and the set of its values
+_QUADRANTS = (
+    (sp.cos, -sp.pi / 2, sp.pi / 2, PLUS),
+    (sp.sin, 0, sp.pi, PLUS),
+    (sp.tan, 0, sp.pi / 2, PLUS),
+    (sp.cos, sp.pi / 2, 3 * sp.pi / 2, MINUS),
+)
+
+
+def box_of(*statements) -> dict:
+    """Open intervals from proved inequalities: And(Gt(y(u), -1), Lt(y(u), 0)) gives {y(u): (-1, 0)}."""
+    box: dict = {}
+    for statement in statements:
+        for part in statement.args if isinstance(statement, sp.And) else (statement,):
+            if isinstance(part, sp.StrictGreaterThan | sp.StrictLessThan):
+                _narrow(box, part)
+    return box
+
+
+def _narrow(box, relation: Relational):
+    small, large = relation.lts, relation.gts
+    for quantity, values in ((small, sp.Interval.open(-sp.oo, large)), (large, sp.Interval.open(small, sp.oo))):
+        other = large if quantity is small else small
+        if isinstance(quantity, sp.Symbol | AppliedUndef | sp.Derivative) and other.is_number:
+            box[quantity] = box.get(quantity, sp.S.Reals) & values
+
+
+def trig_box(expr, variable, interval) -> dict:
+    """The signs of the sines, cosines and tangents in an expression while `variable` is inside an interval."""
+    box = {}
+    for applied in sorted(expr.atoms(sp.sin, sp.cos, sp.tan), key=str):
+        first, last = (applied.args[0].subs(variable, end) for end in (interval.start, interval.end))
+        for function, low, high, values in _QUADRANTS:
+            if applied.func == function and low <= first and last <= high:
+                box[applied] = values
+    return box
+
+
+@tactic
+def sign_on(expr, box: dict) -> int:
+    """The sign of an expression, rational in parts that range independently through open intervals.
+
+    Each part is written as a rational function of its own positive parameter, which maps (0, oo) onto the interval;
+    then every factor must have coefficients of one sign.
+
+    Parameters
+    ----------
+    expr : expression
+    box : dict
+        {part: open Interval}; symbols that are not in it must carry their sign.
+
+    Returns
+    -------
+    int
+        +1 or -1.
+
+    Raises
+    ------
+    DerivationError
+        The sign is not the same everywhere, or could not be proved.
+    """
+    names = {part: sp.Dummy(f"p{i}", real=True) for i, part in enumerate(box)}
+    onto = {names[part]: _parametrised(values, sp.Dummy("p", positive=True)) for part, values in box.items()}
+    hidden = sp.together(expr.xreplace(names).subs(onto))
+    sign = 1
+    for polynomial in sp.fraction(hidden):
+        for factor in sp.Mul.make_args(sp.factor(polynomial)):
+            known = sp.expand(factor)
+            if not (known.is_positive or known.is_negative):
+                raise DerivationError(f"the sign of {expr} does not follow from {box}: that of {factor} is open")
+            sign *= 1 if known.is_positive else -1
+    return sign
+
+
+def _parametrised(values, p):
+    """A rational map of p > 0 onto an open interval."""
+    low, high = values.start, values.end
+    if low.is_finite and high.is_finite:
+        return low + (high - low) / (1 + p)
+    if low.is_finite:
+        return low + p
+    if high.is_finite:
+        return high - p
+    raise DerivationError(f"{values} says nothing of a sign")
+
+
+def relation_of(expr, sign: int):
+    """The inequality that a sign means: Gt(expr, 0) or Lt(expr, 0)."""
+    return (sp.Gt if sign > 0 else sp.Lt)(expr, 0, evaluate=False)

@@ -1,0 +1,160 @@
+"""Existence and uniqueness from strict monotony: one root, one maximum, bounds by the value at an end."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from galileo_sym.ledger import (
+    DerivationError,
+    ExactlyOneRoot,
+    StrictlyDecreasing,
+    StrictlyIncreasing,
+    UniqueMaximum,
+    tactic,
+)
+from galileo_sym.ledger.equivalence import is_zero
+
+from .signs import ladder, monotone
+
+
+@tactic
+def monotone_on_half_line(function, variable, interval):
+    """Strict monotony on an interval with one finite end, from the sign of the slope (derivative ladder).
+
+    Returns
+    -------
+    StrictlyIncreasing or StrictlyDecreasing
+    """
+    away = sp.Dummy("h", positive=True)
+    upwards = interval.end is sp.oo
+    place = interval.start + away if upwards else interval.end - away
+    slope = sp.diff(function, variable).subs(variable, place)
+    for sign in (1, -1):
+        try:
+            ladder(sign * slope, away)
+        except DerivationError:
+            continue
+        return monotone(function, variable, interval, sign)
+    raise DerivationError(f"the slope of {function} has no sign that the ladder proves on {interval}")
+
+
+@tactic
+def least_value(falling: StrictlyDecreasing, rising: StrictlyIncreasing) -> sp.Ge:
+    """A continuous function that falls up to a place and rises from there on is least there.
+
+    Returns
+    -------
+    Ge
+        Ge(f, f(place)).
+    """
+    f, x, before = falling.args
+    g, _, after = rising.args
+    _require(isinstance(falling, StrictlyDecreasing) and isinstance(rising, StrictlyIncreasing), falling, rising)
+    _require(f == g and before.end == after.start and before.end in before and after.start in after, falling, rising)
+    return sp.Ge(f, f.subs(x, before.end), evaluate=False)
+
+
+@tactic
+def unique_maximum(rising: StrictlyIncreasing, falling: StrictlyDecreasing) -> UniqueMaximum:
+    """A continuous function that rises up to a place and falls from there on is largest there, and only there."""
+    f, x, before = rising.args
+    g, _, after = falling.args
+    _require(isinstance(rising, StrictlyIncreasing) and isinstance(falling, StrictlyDecreasing), rising, falling)
+    _require(f == g and before.end == after.start and not before.right_open and not after.left_open, rising, falling)
+    whole = sp.Interval(before.start, after.end, before.left_open, after.right_open)
+    return UniqueMaximum(f, x, whole, before.end)
+
+
+def _require(fits, *claims):
+    if not fits:
+        raise DerivationError(f"the two claims do not meet: {claims}")
+
+
+@tactic
+def bound_by_end(claim, place, inside) -> sp.Basic:
+    """Compare the value at a place with that at the finite end of a half-line on which a function is monotone.
+
+    Parameters
+    ----------
+    claim : StrictlyIncreasing or StrictlyDecreasing
+        On (-oo, end] or [end, oo).
+    place : expression
+    inside : relation
+        Says that `place` is beyond the end, strictly.
+
+    Returns
+    -------
+    Gt or Lt
+        f(place) against f(end).
+    """
+    f, x, interval = claim.args
+    below = interval.start is sp.S.NegativeInfinity
+    end = interval.end if below else interval.start
+    wanted = sp.Lt(place, end, evaluate=False) if below else sp.Gt(place, end, evaluate=False)
+    if inside != wanted or end not in interval:
+        raise DerivationError(f"{claim} compares only places with {wanted}, not {inside}")
+    larger = below == isinstance(claim, StrictlyDecreasing)
+    return (sp.Gt if larger else sp.Lt)(f.subs(x, place), f.subs(x, end), evaluate=False)
+
+
+@tactic
+def one_root(claim, level, *, ends=(None, None), assuming=()) -> ExactlyOneRoot:
+    """A strictly monotone continuous function takes every value between its end values exactly once.
+
+    Parameters
+    ----------
+    claim : StrictlyIncreasing or StrictlyDecreasing
+        Of f on an interval.
+    level : expression
+        The value that is taken.
+    ends : pair of Eq or None
+        What f is, or tends to, at the two ends: Eq(Limit(f, x, end), value) or Eq(f(end), value); None at a closed
+        end where the value can be put in.
+    assuming : sequence of relations
+        Such as Lt(r, M), for the comparison of `level` with the end values.
+
+    Returns
+    -------
+    ExactlyOneRoot
+        Of f - level.
+
+    Raises
+    ------
+    DerivationError
+        The level is not shown to lie between the end values; it may equal them at closed ends only.
+    """
+    f, x, interval = claim.args
+    first, last = (_end_value(f, x, end, told) for end, told in zip((interval.start, interval.end), ends, strict=True))
+    rising = isinstance(claim, StrictlyIncreasing)
+    low, high = (first, last) if rising else (last, first)
+    open_low, open_high = interval.left_open, interval.right_open
+    if not rising:
+        open_low, open_high = open_high, open_low
+    if not (_below(low, level, open_low, assuming) and _below(level, high, open_high, assuming)):
+        raise DerivationError(f"{level} is not shown to lie between {low} and {high}, the end values of {f}")
+    return ExactlyOneRoot(f - level, x, interval)
+
+
+def _end_value(f, x, end, told):
+    if told is None:
+        return f.subs(x, end)
+    if isinstance(told.lhs, sp.Limit):
+        about, fits = told.lhs.args[:3], (f, x, end)
+        fits = about[1:] == fits[1:] and is_zero(about[0] - f) is not None
+    else:
+        fits = is_zero(told.lhs - f.subs(x, end)) is not None
+    if not fits:
+        raise DerivationError(f"{told} is not about {f} at {end}")
+    return told.rhs
+
+
+def _below(small, large, strict, assuming):
+    if large is sp.oo or small is sp.S.NegativeInfinity:
+        return True
+    gap = large - small
+    if gap.is_positive or (gap.is_nonnegative and not strict):
+        return True
+    for relation in assuming:
+        if is_zero(relation.gts - relation.lts - gap) is not None:
+            return not strict or isinstance(relation, sp.StrictLessThan | sp.StrictGreaterThan)
+    return False
