@@ -20,7 +20,7 @@ class Row:
     back_end : str
         Which back end, or several that agree to the bit.
     points : int
-        How many were tried, a recorded worst input included.
+        How many were tried, besides a recorded worst input.
     measured : float
         Largest error found, rounded up; the true maximum is at least about that.
     output : str
@@ -65,7 +65,7 @@ def _failure(sample, back_end, verdict, bound):
         task.force_set,
         task.stratum,
         back_end,
-        len(sample.references),
+        sample.size,
         float("inf"),
         "",
         as_hex(point),
@@ -124,7 +124,7 @@ def judge(sample, back_ends, record):
                 task.force_set,
                 task.stratum,
                 " = ".join(names),
-                len(sample.references),
+                sample.size,
                 rounded_up(measurement.error),
                 measurement.output,
                 as_hex(measurement.worst),

@@ -60,6 +60,11 @@ class Sample:
     arguments: dict
     references: list
 
+    @property
+    def size(self):
+        """How many points there are besides the recorded worst input."""
+        return len(self.references) - (self.task.recorded is not None)
+
 
 @dataclass(frozen=True)
 class Measurement:

@@ -49,6 +49,12 @@ def _some_zero(draw, low, high):
     return draw.magnitude(low, high) if draw.chance(0.5) else 0.0
 
 
+def _grid_angle(draw, top):
+    """An angle within 4 places of a multiple of 1/128 up to top/128, or of pi/4 if that is below."""
+    middle = draw.chance(0.1) and top / 128.0 > HALF_PI / 2
+    return step(HALF_PI / 2 if middle else draw.integer(1, top) / 128.0, draw.integer(-4, 4))
+
+
 # --- chord -----------------------------------------------------------------------------------------------------------
 
 
@@ -76,6 +82,12 @@ def _chord_critical(draw, has):
     return _chord(draw, has, mu=mu, theta=draw.sign() * step(critical_angle(mu), -draw.integer(0, _NEAR)))
 
 
+def _chord_approaching(draw, has):
+    """Angles at every binary distance below theta_max, where the cancellation in cos - mu sin sets in."""
+    mu = draw.magnitude(-30, 30) if draw.chance(0.5) else draw.magnitude(-4, 1)
+    return _chord(draw, has, mu=mu, theta=draw.sign() * critical_angle(mu) * (1.0 - draw.magnitude(-47, -4)))
+
+
 def _chord_at_rest(draw, has):
     mu = draw.magnitude(-4, 1)
     above = step(critical_angle(mu), draw.integer(1, _NEAR))
@@ -91,7 +103,7 @@ def _chord_steep(draw, has):
 
 def _chord_grid(draw, has):
     shift = draw.integer(-3, 3)
-    angle = step(draw.integer(1, 51 if "mu" in has else 201) / 128.0, draw.integer(-4, 4))
+    angle = _grid_angle(draw, 51 if "mu" in has else 201)
     given = {
         "gamma": math.ldexp(grid_end(draw), -shift),
         "t": math.ldexp(1.0, shift),
@@ -121,6 +133,7 @@ _CHORD = (
     Stratum("extreme", (), _chord_extreme),
     Stratum("range-ends", (), _chord_range_ends),
     Stratum("near-theta-max", ("mu", "theta"), _chord_critical),
+    Stratum("approaching-theta-max", ("mu", "theta"), _chord_approaching),
     Stratum("at-rest", ("mu", "theta"), _chord_at_rest),
     Stratum("theta-near-0", ("theta",), lambda draw, has: _chord(draw, has, theta=_slight(draw))),
     Stratum("theta-near-half-pi", ("theta",), _chord_steep),
@@ -165,7 +178,7 @@ def _landing(draw, has):
 def _throw_grid(draw, has):
     shift = draw.integer(-3, 3)
     unit = math.ldexp(1.0, shift)
-    angle = step(draw.integer(1, 201) / 128.0, draw.integer(-4, 4))
+    angle = _grid_angle(draw, 201)
     given = {"k": grid_end(draw) / unit, "t": unit, "v": 1.0, "g": 1.0 / unit}
     return _throw(draw, has, theta=angle if draw.chance(0.5) else HALF_PI, **given)
 

@@ -76,33 +76,17 @@ def test_certificate_content(certified):
 def test_update_twice_writes_the_same_bytes(certified):
     before = (certified / f"{NAME}.json").read_bytes()
     assert verify(certified, update=True)[0] == 0
-    after = json.loads((certified / f"{NAME}.json").read_bytes())
-    old = json.loads(before)
-    for strata in (*old["force_sets"].values(), *after["force_sets"].values()):
-        for record in strata.values():
-            del record["points"]  # the recorded worst input is tried besides the drawn ones
-    assert after == old
+    assert (certified / f"{NAME}.json").read_bytes() == before
     assert list(certified.iterdir()) == [certified / f"{NAME}.json"]
 
 
-@pytest.mark.parametrize("processes", [1, 2])
-def test_verifying_writes_nothing_and_processes_do_not_matter(certified, processes):
+def test_verifying_writes_nothing_and_processes_do_not_matter(certified, monkeypatch):
     before = (certified / f"{NAME}.json").read_bytes()
-    code, text = verify(certified, processes=processes)
+    monkeypatch.setattr("galileo_sym.verify.run._WORTH_A_PROCESS", 0)
+    code, text = verify(certified, processes=2)
     assert code == 0
     assert text == verify(certified)[1]
     assert (certified / f"{NAME}.json").read_bytes() == before
-
-
-def test_references_in_two_processes(folder, monkeypatch):
-    monkeypatch.setattr("galileo_sym.verify.run._WORTH_A_PROCESS", 0)
-    assert verify(folder, update=True, processes=2, strata=("typical", "scenes"))[0] == 0
-    two = (folder / f"{NAME}.json").read_bytes()
-    assert verify(folder, update=True, processes=1, strata=("typical", "scenes"))[0] == 0
-    one = json.loads((folder / f"{NAME}.json").read_bytes())["force_sets"]
-    assert [record["worst"] for record in one["drag"].values()] == [
-        record["worst"] for record in json.loads(two)["force_sets"]["drag"].values()
-    ]
 
 
 # --- negative controls -----------------------------------------------------------------------------------------------
