@@ -52,9 +52,12 @@ def _defect(result, given):
 
 
 def environment(declaration: Declaration, outcome: Outcome, premises: dict) -> dict:
-    """What the symbols stand for: as the assumptions say, else the premises, else the result, else a step."""
+    """What the symbols stand for: as the assumptions say, else the result, else a premise, else a step.
+
+    The result comes before its premises, since t_AB (say) is another time where another force acts.
+    """
     given = {}
-    for statement in (*(s.statement for s in outcome.steps), outcome.result, *premises.values()):
+    for statement in (*(s.statement for s in outcome.steps), *premises.values(), outcome.result):
         given.update(definitions(statement))
     given.update(declaration.domain.where)
     return {k: v for k, v in given.items() if k not in declaration.domain.ranges}

@@ -45,6 +45,8 @@ def _strongest(ways):
 
 
 def _same_thing(a, b):
+    if a == b:
+        return "identical"
     if isinstance(a, Boolean):
         return equivalent(a, b)
     if isinstance(a, sp.Tuple) and isinstance(b, sp.Tuple):
@@ -208,6 +210,7 @@ def _is_root(expr):
 
 _MOVES = (
     ("expand", sp.expand),
+    ("powers of e together", lambda e: sp.expand(sp.powsimp(e, combine="exp", deep=True))),
     ("common denominator", _rational),
     ("W e^W = q", _w_rational),
     ("sin^2 + cos^2 = 1", _trig_polynomial),

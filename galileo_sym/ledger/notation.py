@@ -32,10 +32,10 @@ class Notation:
         self.meanings[name] = meaning
         return made
 
-    def function(self, name: str, dimension, meaning: str):
+    def function(self, name: str, dimension, meaning: str, **assumptions):
         """Declare an unknown real function, e.g. the distance ``s`` in ``s(t)``."""
         self._claim(name)
-        made = sp.Function(name, real=True)
+        made = sp.Function(name, **(assumptions or {"real": True}))
         self.functions[name] = made
         self.dimensions[made] = sp.sympify(dimension)
         self.meanings[name] = meaning

@@ -45,18 +45,17 @@ FIRST, SECOND = sp.Dummy("first", real=True), sp.Dummy("second", real=True)
 def spread(interval, count=9):
     """Points across an interval, open ends approached and infinite ones reached far out."""
     low, high = interval.start, interval.end
-    grid = [sp.Rational(i, count - 1) for i in range(count)]
-    past = sp.Rational(51, 50)
-    off = sp.Rational(1, 10**6)
+    far = [sp.Integer(10) ** sp.Rational(30 * i - 15 * (count - 1), count - 1) for i in range(count)]
     if low is sp.S.NegativeInfinity and high is sp.S.Infinity:
-        return [sp.tan(sp.pi * (g - sp.Rational(1, 2)) * sp.Rational(99, 100)) for g in grid]
+        return [*(-f for f in reversed(far)), sp.S.Zero, *far]
     if high is sp.S.Infinity:
-        return [low + g / (past - g) + (off if interval.left_open else 0) for g in grid]
+        return [*([] if interval.left_open else [low]), *(low + f for f in far)]
     if low is sp.S.NegativeInfinity:
-        return [high - g / (past - g) - (off if interval.right_open else 0) for g in reversed(grid)]
+        return [*(high - f for f in reversed(far)), *([] if interval.right_open else [high])]
     inset = sp.Rational(1, 10**4)
     left = inset if interval.left_open else 0
     right = inset if interval.right_open else 0
+    grid = [sp.Rational(i, count - 1) for i in range(count)]
     return [low + (high - low) * (left + g * (1 - left - right)) for g in grid]
 
 

@@ -35,7 +35,7 @@ def read_circle(equation: sp.Eq, x, y) -> Circle:
     a = sp.simplify(-polynomial.coeff_monomial(x) / (2 * lead))
     b = sp.simplify(-polynomial.coeff_monomial(y) / (2 * lead))
     square = sp.factor(a**2 + b**2 - polynomial.coeff_monomial(1) / lead)
-    return Circle((a, b), sp.sqrt(square))
+    return Circle((a, b), sp.sqrt(square).replace(sp.Abs, lambda r: r if r.is_nonnegative else sp.Abs(r)))
 
 
 @tactic

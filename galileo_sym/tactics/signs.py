@@ -119,3 +119,22 @@ def positive_before_root(claim, root, variable):
     if is_zero(function.subs(x, root)) is None:
         raise DerivationError(f"{function} does not vanish at {root}")
     return sp.Equivalent(sp.Gt(function.subs(x, variable), 0, evaluate=False), sp.Lt(variable, root, evaluate=False))
+
+
+@tactic
+def arguments_reversed(claim, below, low, image, high) -> sp.Lt:
+    """From a strictly decreasing f and f(low) < f(high): high < low.
+
+    Parameters
+    ----------
+    claim : StrictlyDecreasing
+    below : Lt
+        Lt(f(low), v), proved.
+    image : Eq
+        Eq(f(high), v).
+    """
+    function, x, _ = claim.args
+    fits = isinstance(claim, StrictlyDecreasing) and is_zero(below.lts - function.subs(x, low))
+    if not fits or is_zero(image.lhs - function.subs(x, high)) is None or is_zero(image.rhs - below.gts) is None:
+        raise DerivationError(f"{below} and {image} are not about {claim}")
+    return sp.Lt(high, low, evaluate=False)

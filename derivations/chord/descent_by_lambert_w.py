@@ -1,0 +1,147 @@
+"""Section 4, second half: the descent time by Lambert W, equations (33) to (36), with the branch for every drag."""
+
+import sympy as sp
+from galileo_sym.derivations.chord.notation import W_0, W_1, D, F, c, g, gamma, notation, q, t_AB, w
+from sympy import And, Eq, Ge, Gt, Interval, LambertW, Le, Lt, Or, exp, oo
+
+from galileo_sym.ledger import (
+    POSITIVE,
+    REAL,
+    Chapter,
+    DerivationError,
+    Domain,
+    Erratum,
+    StrictlyDecreasing,
+    StrictlyIncreasing,
+    step,
+    tell_chapter,
+)
+from galileo_sym.tactics import arguments_reversed, isolate, least_value, monotone, sign_by_factors
+
+chapter = Chapter("chord.descent_by_lambert_w", notation, "4. Motion under a resistive force proportional to velocity")
+
+DROP = Domain({g: POSITIVE, D: POSITIVE, gamma: POSITIVE})
+LINE = Domain({w: REAL})
+FALLING = Interval(-oo, -1)
+RISING = Interval(-1, oo)
+
+ONLY_LIMIT = Erratum(
+    ("C7",),
+    "the paper chooses W_0 by the limit gamma -> 0 only; it is right for every gamma > 0 (for gamma < 0 it is W_(-1))",
+)
+
+
+def part_of(premise, kind):
+    """The part of a conjunction that is a claim, or an inequality, of one kind."""
+    return next(p for p in premise.parts if isinstance(p, kind))
+
+
+chapter.given("chord.eq34", Eq(F(w), w * exp(w)), LINE)
+
+
+@chapter.derive(
+    "chord.claim.F-monotone",
+    And(StrictlyDecreasing(w * exp(w), w, FALLING), StrictlyIncreasing(w * exp(w), w, RISING)),
+    LINE,
+)
+def f_monotone(eq34):
+    """F' = (1 + w) e^w has the sign of 1 + w."""
+    slope = sp.factor(sp.diff(eq34.rhs, w))
+    step("derivative", Eq(F(w).diff(w), slope, evaluate=False))
+    side = sp.Symbol("side", real=True)
+    beyond = sp.expand(slope.subs(w, side - 1))
+    before, after = (sign_by_factors(beyond, {side: fact}) for fact in (Lt(side, 0), Gt(side, 0)))
+    return And(monotone(eq34.rhs, w, FALLING, before), monotone(eq34.rhs, w, RISING, after))
+
+
+@chapter.derive("chord.claim.F-minimum", And(Ge(w * exp(w), -exp(-1)), Eq(F(-1), -exp(-1))), LINE)
+def f_minimum(eq34, claim__F_monotone):
+    """F falls before w = -1 and rises after it."""
+    falls, rises = (part_of(claim__F_monotone, kind) for kind in (StrictlyDecreasing, StrictlyIncreasing))
+    least = least_value(falls, rises)
+    return And(least, Eq(F(-1), eq34.rhs.subs(w, falls.args[2].end), evaluate=False))
+
+
+chapter.given(
+    "chord.claim.W-branches",
+    And(
+        Eq(W_0(q), LambertW(q)),
+        Eq(W_1(q), LambertW(q, -1)),
+        Ge(W_0(q), -1),
+        Le(W_1(q), -1),
+        Eq(W_0(q) * exp(W_0(q)), q),
+        Eq(W_1(q) * exp(W_1(q)), q),
+    ),
+    Domain({q: Interval.Ropen(-exp(-1), 0)}),
+    premises=("chord.claim.F-monotone",),
+)
+
+chapter.given(
+    "chord.eq35",
+    sp.Equivalent(Eq(w * exp(w), q), Or(Eq(w, LambertW(q)), Eq(w, LambertW(q, -1)))),
+    Domain({q: Interval.Ropen(-exp(-1), 0), w: REAL}),
+    premises=("chord.eq34", "chord.claim.W-branches"),
+    erratum=Erratum(("C9",), "multivalued as printed: W_0 for w >= -1 (q >= -1/e), W_(-1) for w <= -1 (-1/e <= q < 0)"),
+)
+
+
+@chapter.derive(
+    "chord.eq33",
+    Eq(F(gamma * t_AB - 1 - gamma**2 * D / g), -exp(-1 - gamma**2 * D / g)),
+    Domain({g: POSITIVE, gamma: POSITIVE, t_AB: POSITIVE}),
+)
+def as_f(eq30, eq34):
+    """Multiply (30) by (gamma^2/g) e^(gamma t - 1 - c) > 0, c = gamma^2 D/g: no root is gained or lost."""
+    argument = sp.expand(gamma * t_AB - 1 - gamma**2 * D / g)
+    factor = sp.exp(argument) * gamma**2 / g
+    left = sp.expand((eq30.rhs - eq30.lhs) * factor)
+    value = sp.simplify(eq34.rhs.subs(w, argument) - sp.powsimp(left))
+    return Eq(F(argument), value, evaluate=False)
+
+
+PRINCIPAL = Gt(1 + c + LambertW(-exp(-1 - c)), 0, evaluate=False)
+OTHER = Lt(1 + c + LambertW(-exp(-1 - c), -1), 0, evaluate=False)
+
+
+@chapter.derive("chord.claim.principal-branch", And(PRINCIPAL, OTHER), Domain({c: POSITIVE}), erratum=ONLY_LIMIT)
+def principal_branch(claim__W_branches, claim__F_monotone, eq34):
+    """W_0 >= -1 gives gamma t >= c > 0, c = gamma^2 D/g; F(-1-c) < -e^(-1-c), F falling, gives W_(-1) < -1-c."""
+    value = -exp(-1 - c)
+    bound = part_of(claim__W_branches, sp.GreaterThan)
+    least = 1 + c + bound.lts
+    if bound.gts != W_0(q) or not least.is_positive:
+        raise DerivationError(f"gamma t >= {least} is not positive")
+    step("by W_0 the time is at least", Ge(1 + c + claim__W_branches.of(W_0(q)).subs(q, value), least, evaluate=False))
+    falls = part_of(claim__F_monotone, StrictlyDecreasing)
+    below = step("a value below", Lt(eq34.rhs.subs(w, -1 - c), value, evaluate=False))
+    if sign_by_factors(sp.factor(sp.expand(below.lts - below.gts)), {}) != -1:
+        raise DerivationError(f"{below} is not known")
+    root = claim__W_branches.of(W_1(q)).subs(q, value)
+    inverse = next(p for p in claim__W_branches.parts if p.has(exp) and p.has(W_1))
+    image = Eq(*(side.subs(q, value).subs(W_1(value), root) for side in inverse.args), evaluate=False)
+    left = arguments_reversed(falls, below, -1 - c, image, root)
+    least_time = 1 + c + claim__W_branches.of(W_0(q)).subs(q, value)
+    return And(Gt(least_time, 0, evaluate=False), Lt(1 + c + left.lts, 1 + c + left.gts, evaluate=False))
+
+
+@chapter.derive(
+    "chord.eq36",
+    Eq(t_AB, 1 / gamma + gamma * D / g + LambertW(-exp(-1 - gamma**2 * D / g)) / gamma),
+    DROP,
+    erratum=ONLY_LIMIT,
+)
+def descent_time(eq33, claim__W_branches, claim__principal_branch):
+    """Invert F on the branch that gives a positive time."""
+    argument, value = eq33.lhs.args[0], eq33.rhs
+    drop = gamma**2 * D / g
+    positive = part_of(claim__principal_branch, sp.StrictGreaterThan).gts.subs(c, drop)
+    for branch in (W_0, W_1):
+        inverse = claim__W_branches.of(branch(q)).subs(q, value)
+        found = isolate(Eq(argument, inverse, evaluate=False), t_AB)
+        if sp.simplify(sp.expand(gamma * found.rhs - positive)) == 0:
+            return step("back from w to the time", Eq(t_AB, sp.expand(found.rhs)))
+    raise DerivationError("neither branch gives the positive time")
+
+
+if __name__ == "__main__":
+    tell_chapter(chapter.name)

@@ -1,0 +1,273 @@
+"""Section 5: sliding friction and linear drag together, equations (40) to (49)."""
+
+import sympy as sp
+from galileo_sym.derivations.chord.notation import (
+    D,
+    R,
+    X,
+    Y,
+    g,
+    gamma,
+    mu,
+    n,
+    notation,
+    s,
+    s_AB,
+    sigma,
+    t,
+    t_AB,
+    theta,
+    x,
+    xt,
+    y,
+    yt,
+)
+from sympy import Abs, And, Eq, Interval, LambertW, atan, cos, exp, sin, sqrt, tan
+
+from galileo_sym.ledger import (
+    NONNEGATIVE,
+    POSITIVE,
+    Chapter,
+    DerivationError,
+    Domain,
+    Erratum,
+    StrictlyDecreasing,
+    step,
+    tell_chapter,
+)
+from galileo_sym.tactics import (
+    at_rest,
+    eliminate_angle,
+    implicit_derivative,
+    isolate,
+    ladder,
+    monotone,
+    read_circle,
+    sign_by_factors,
+    solve_motion,
+)
+
+chapter = Chapter(
+    "chord.friction_and_drag", notation, "5. Motion under sliding friction and resistive force proportional to velocity"
+)
+
+LAST = atan(1 / mu)
+BOTH = {g: POSITIVE, gamma: POSITIVE, mu: POSITIVE}
+MOTION = Domain({**BOTH, t: NONNEGATIVE, theta: Interval(0, LAST)})
+MOTION_LEFT = Domain({**BOTH, t: NONNEGATIVE, theta: Interval.Ropen(-LAST, 0)})
+DESCENT = Domain({**BOTH, t_AB: POSITIVE, theta: Interval.Ropen(0, LAST)})
+CLOSED = Erratum(
+    ("C1",), "at |theta| = theta_max the bead stays at A (s = 0): the closed range does no harm to positions"
+)
+FALLEN = g / gamma * t - g / gamma**2 * (1 - exp(-gamma * t))
+FALLEN_AB = FALLEN.subs(t, t_AB)
+
+
+@chapter.derive(
+    "chord.eq40",
+    Eq(s(t).diff(t, 2), g * (cos(theta) - mu * sin(theta)) - gamma * s(t).diff(t)),
+    MOTION,
+    erratum=CLOSED,
+)
+def motion(eq12, eq28):
+    """The drag of (28) added to the forces of (12)."""
+    drag = sp.expand(eq28.rhs - eq28.rhs.subs(s(t).diff(t), 0))
+    return Eq(s(t).diff(t, 2), eq12.rhs + drag, evaluate=False)
+
+
+@chapter.derive("chord.eq41", Eq(s(t), FALLEN * (cos(theta) - mu * sin(theta))), MOTION)
+def distance(eq40):
+    """Solve (40) from rest."""
+    return solve_motion(eq40.equation, s(t), at_rest(s(t)))
+
+
+@chapter.derive(
+    "chord.claim.negative-theta-sign",
+    And(
+        Eq(s(t).diff(t, 2), g * (cos(theta) + mu * sin(theta)) - gamma * s(t).diff(t)),
+        Eq(s(t), FALLEN * (cos(theta) + mu * sin(theta))),
+    ),
+    MOTION_LEFT,
+    erratum=CLOSED,
+)
+def negative_angles(eq14, eq28, eq40):
+    """The drag added to (14): (40) with -mu for mu."""
+    drag = sp.expand(eq28.rhs - eq28.rhs.subs(s(t).diff(t), 0))
+    left = Eq(s(t).diff(t, 2), eq14.rhs + drag, evaluate=False)
+    if sp.expand(left.rhs - eq40.rhs.subs(mu, -mu)) != 0:
+        raise DerivationError("the motion for theta < 0 is not (40) with -mu")
+    return And(left, solve_motion(left, s(t), at_rest(s(t))))
+
+
+EQ42 = Eq(D, FALLEN_AB * (1 - mu * tan(theta)))
+C3 = "strictly |theta| < theta_max: at theta_max the right side is 0 for every time, and no time is the descent time"
+
+
+@chapter.derive(
+    "chord.eq42",
+    EQ42,
+    DESCENT,
+    erratum=Erratum(("C3",), C3, EQ42, Domain({**BOTH, D: POSITIVE, t_AB: POSITIVE, theta: sp.FiniteSet(LAST)})),
+)
+def impact(eq41, eq3):
+    """Put s = D cos(theta) and divide by the cosine."""
+    arrival = step("arrival at B", Eq(eq3.of(s_AB), eq41.rhs.subs(t, t_AB), evaluate=False))
+    over = sp.expand(arrival.rhs / (arrival.lhs / D)).replace(sin, lambda a: tan(a) * cos(a))
+    return Eq(D, sp.expand(over), evaluate=False)
+
+
+N_OF_THETA = 1 - mu * tan(Abs(theta))
+EQ43 = Eq(
+    t_AB,
+    LambertW(-exp(-1 - D * gamma**2 / (g * N_OF_THETA))) / gamma + 1 / gamma + D * gamma / (g * N_OF_THETA),
+)
+
+
+@chapter.derive(
+    "chord.eq43",
+    EQ43,
+    Domain({**BOTH, D: POSITIVE, theta: Interval.open(-LAST, LAST)}, where={n: N_OF_THETA}),
+    erratum=Erratum(
+        ("C3",),
+        "strictly |theta| < theta_max (n > 0)",
+        EQ43,
+        Domain({**BOTH, D: POSITIVE, theta: sp.FiniteSet(LAST)}, where={t_AB: sqrt(2 * D / g)}),
+    ),
+)
+def descent_time(eq42, eq30, eq36, claim__negative_theta_sign):
+    """(42), divided by n = 1 - mu tan|theta|, is (30) with D/n for D: so the time is (36) with D/n for D."""
+    right = sp.simplify(eq42.rhs / eq30.rhs)
+    left = claim__negative_theta_sign.of(s(t)).subs(t, t_AB) / cos(theta) / eq30.rhs
+    mirrored = sp.simplify(sp.expand(left).replace(tan, lambda a: sin(a) / cos(a)) - (1 + mu * sin(theta) / cos(theta)))
+    if sp.simplify(right - (1 - mu * tan(theta))) != 0 or mirrored != 0:
+        raise DerivationError("(42) is not (30) with D/n")
+    step("(42) with n", Eq(D / n, eq30.rhs, evaluate=False))
+    return Eq(t_AB, eq36.rhs.subs(D, D / n).subs(n, right.subs(theta, Abs(theta))))
+
+
+TIME_OF_N = LambertW(-exp(-1 - D * gamma**2 / (g * n))) / gamma + 1 / gamma + D * gamma / (g * n)
+
+
+@chapter.derive(
+    "chord.claim.both-theta-dependent",
+    And(
+        StrictlyDecreasing(TIME_OF_N, n, Interval.open(0, sp.oo)),
+        StrictlyDecreasing(1 - mu * tan(theta), theta, Interval.Ropen(0, LAST)),
+    ),
+    Domain({**BOTH, D: POSITIVE, theta: Interval.Ropen(0, LAST)}),
+)
+def theta_matters(eq42, eq43):
+    """D = n h(t) with h rising in t: t falls as n rises, and n falls as theta rises."""
+    z = sp.Symbol("z", positive=True)
+    fallen = sp.simplify(eq42.rhs / (1 - mu * tan(theta)))
+    slope = sp.expand(sp.diff(fallen, t_AB).subs(t_AB, z / gamma) * gamma / g)
+    rises = ladder(slope, z)
+    height = ladder(sp.expand(fallen.subs(t_AB, z / gamma) * gamma**2 / g), z)
+    time = sp.Function("time")
+    dt_dn = implicit_derivative(Eq(n * fallen.subs(t_AB, time(n)), D), time(n), n).rhs.subs(time(n), z / gamma)
+    falls = _sign_of_quotient(dt_dn, rises, height, z)
+    steeper = sign_by_factors(sp.diff(1 - mu * tan(theta), theta).replace(tan, lambda a: sp.Dummy("T", real=True)), {})
+    by_n = eq43.rhs.subs(tan(Abs(theta)), (1 - n) / mu)
+    return And(
+        monotone(sp.expand(by_n), n, Interval.open(0, sp.oo), falls),
+        monotone(1 - mu * tan(theta), theta, Interval.Ropen(0, LAST), steeper),
+    )
+
+
+def _sign_of_quotient(quotient, rises, height, z):
+    """The sign of dt/dn = -h/(n h') from h > 0 and h' > 0, both known as functions of z = gamma t."""
+    top, slope = sp.symbols("top slope", positive=True)
+    h = height.lhs * g / gamma**2
+    dh = rises.lhs * g / gamma
+    if sp.simplify(quotient * n * dh + h) != 0:
+        raise DerivationError(f"{quotient} is not -h/(n h')")
+    return sign_by_factors(-top / (n * slope), {})
+
+
+@chapter.derive("chord.eq45", Eq(Y(t), g / (2 * gamma) * t - g / (2 * gamma**2) * (1 - exp(-gamma * t))), MOTION)
+def depth(eq41):
+    """Half the fall along the vertical."""
+    return Eq(Y(t), sp.expand(eq41.rhs.subs(theta, 0) / 2))
+
+
+EQ44 = Eq((x + sigma * X(t)) ** 2 + (y - Y(t)) ** 2, R(t) ** 2)
+SIDES = Domain({**BOTH, t: POSITIVE, sigma: sp.FiniteSet(1, -1), theta: Interval(0, LAST)})
+X_OF = sigma * Y(t) * (sin(2 * theta) - mu * (1 - cos(2 * theta)))
+Y_OF = Y(t) * (1 + cos(2 * theta) - mu * sin(2 * theta))
+BEADS = Domain(SIDES.ranges, where={x: X_OF, y: Y_OF})
+
+
+def circle_with_y(eq41, eq45, setup, eq7, eq8):
+    """The circle on which the beads of one side are, theta eliminated, with Y(t) for half the fall."""
+    along = sp.simplify(eq41.rhs / (2 * eq45.rhs)) * 2 * Y(t)
+    put = {sin(theta) * cos(theta): eq7.rhs / 2}
+    across = sp.expand(setup.of(x).subs(s(t), along)).subs(put).subs(sin(theta) ** 2, 1 - eq8.rhs / 2)
+    down = sp.expand(setup.of(y).subs(s(t), along)).subs(put).subs(cos(theta) ** 2, eq8.rhs / 2)
+    step("abscissa for theta >= 0", Eq(sigma * x, across))
+    step("ordinate for theta >= 0", Eq(y, down))
+    plain = sp.Symbol("plain", positive=True)  # a name for Y(t) while the basis is computed
+    found = eliminate_angle(Eq(x, across).subs(Y(t), plain), Eq(y, down).subs(Y(t), plain), 2 * theta, (x, y))
+    return read_circle(found.subs(plain, Y(t)), x, y)
+
+
+@chapter.derive("chord.eq46", Eq(X(t), mu * Y(t)), BEADS)
+def sideways(eq41, eq45, setup, eq7, eq8):
+    """Read the centre off."""
+    return Eq(X(t), -circle_with_y(eq41, eq45, setup, eq7, eq8).centre[0])
+
+
+@chapter.derive("chord.eq47", Eq(R(t), sqrt(1 + mu**2) * Y(t)), BEADS)
+def radius(eq41, eq45, setup, eq7, eq8):
+    """Read the radius off."""
+    return Eq(R(t), circle_with_y(eq41, eq45, setup, eq7, eq8).radius)
+
+
+@chapter.derive(
+    "chord.eq44",
+    EQ44,
+    BEADS,
+    erratum=Erratum(("C5",), "the circles are traced on x >= 0 (theta >= 0) and x <= 0 (theta <= 0) only"),
+)
+def synchronous_curve(eq41, eq45, eq46, eq47, setup, eq7, eq8, claim__negative_theta_sign):
+    """Eliminate theta; for theta < 0 the beads are the mirror images."""
+    seen = circle_with_y(eq41, eq45, setup, eq7, eq8)
+    mirror = claim__negative_theta_sign.of(s(t)).subs(theta, -theta)
+    if sp.simplify(mirror - eq41.rhs) != 0:
+        raise DerivationError("beads on the two sides are not mirror images")
+    centre = -seen.centre[0].subs(eq46.rhs, X(t))
+    size = seen.radius.subs(eq47.rhs, R(t))
+    return Eq((x + sigma * centre) ** 2 + (y - seen.centre[1]) ** 2, size**2, evaluate=False)
+
+
+chapter.given("chord.eq48", And(Eq(xt, x / Y(t)), Eq(yt, y / Y(t))), Domain({t: POSITIVE}))
+
+
+@chapter.derive(
+    "chord.eq49",
+    Eq((xt + sigma * mu) ** 2 + (yt - 1) ** 2, 1 + mu**2),
+    BEADS,
+)
+def rescaled(eq44, eq46, eq47, eq48, eq45):
+    """Divide (44) by Y(t)^2."""
+    step("half the fall", eq45.equation)
+    put = {c: isolate(Eq(name, eq48.of(name), evaluate=False), c).rhs for c, name in ((x, xt), (y, yt))}
+    left, right = (side.subs(put).subs({X(t): eq46.rhs, R(t): eq47.rhs}) for side in eq44.equation.args)
+    return Eq(sp.expand(left / Y(t) ** 2), sp.expand(right / Y(t) ** 2), evaluate=False)
+
+
+@chapter.derive(
+    "chord.claim.same-rescaled-curve",
+    And(Eq((xt + mu) ** 2 + (yt - 1) ** 2, 1 + mu**2), Eq((xt - mu) ** 2 + (yt - 1) ** 2, 1 + mu**2)),
+    Domain({mu: POSITIVE, theta: sp.FiniteSet(LAST)}, where={xt: sp.S.Zero, yt: sp.S.Zero}),
+)
+def same_curve(eq49, eq26, eq27):
+    """(49) is (26) for sigma = 1 and (27) for sigma = -1."""
+    pair = [eq49.equation.subs(sigma, side) for side in (1, -1)]
+    for mine, theirs in zip(pair, (eq26, eq27), strict=True):
+        if sp.expand((mine.lhs - mine.rhs) - (theirs.lhs - theirs.rhs)) != 0:
+            raise DerivationError(f"{mine} is not {theirs.id}")
+    return And(*pair)
+
+
+if __name__ == "__main__":
+    tell_chapter(chapter.name)
