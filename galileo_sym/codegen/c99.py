@@ -63,14 +63,19 @@ def _guard(function, condition, value):
     return [f"    if ({condition}) {{", f"        {targets} = {value};", "        return;", "    }"]
 
 
+def _any(conditions):
+    conditions = list(conditions)
+    return conditions[0] if len(conditions) == 1 else f"({' || '.join(conditions)})"
+
+
 def _result(function, force_set, output, node):
-    value = f"gs_store({call_text(node, 'gs_')})"
+    value = call_text(node, "gs_")
     groups = clash_groups(function, force_set, output)
     if not groups:
-        return value
-    seen = ["(" + " || ".join(f"isinf({n}_in)" for n in group) + ")" for group in groups]
-    pairs = [f"({a} && {b})" for i, a in enumerate(seen) for b in seen[i + 1 :]]
-    return f"{' || '.join(pairs)} ? gs_invalid() : {value}"
+        return f"gs_store({value})"
+    seen = [_any(f"isinf({n}_in)" for n in group) for group in groups]
+    pairs = _any(f"({a} && {b})" for i, a in enumerate(seen) for b in seen[i + 1 :])
+    return f"gs_settle({value}, {pairs})"
 
 
 def kernel(function, force_set):

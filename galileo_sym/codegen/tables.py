@@ -59,8 +59,8 @@ def c_tables():
     for name, column in (("gs_sine_table", 0), ("gs_cosine_table", 1)):
         rows = pairs(row[column] for row in angle_rows())
         out.append(f"const double {name}[{len(angle_rows())}][3] = {{\n{rows}\n}};\n\n")
-    for name, key in (("gs_half_pi", "half_pi"), ("gs_log_2", "log_2")):
-        out.append(f"const double {name}[3] = {{{', '.join(map(repr, values[key]))}}};\n\n")
+    for name, parts in values.items():
+        out.append(f"const double gs_{name}[{len(parts)}] = {{{', '.join(map(repr, parts))}}};\n\n")
     for name, table in TABLES.items():
         rows = ",\n".join(
             "    {\n" + _numbers([p.centre, *p.coefficients], " " * 8, 4) + "\n    }" for p in pieces(name)

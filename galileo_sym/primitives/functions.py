@@ -29,6 +29,11 @@ class Primitive(Function):
         """Return the value at 0, where the closed form is 0/0."""
         return cls.at_zero if x.is_zero else None
 
+    @classmethod
+    def mp_value(cls, x):
+        """Return the value at an mpmath number, to the working precision."""
+        return mp_value(cls.__name__, x)
+
     def _eval_evalf(self, prec):
         x = self.args[0]._eval_evalf(prec + 10)
         if x is None or not x.is_Float:
@@ -199,6 +204,11 @@ class driving(Function):
         if argindex not in slopes:
             raise ArgumentIndexError(self, argindex)
         return slopes[argindex]
+
+    @staticmethod
+    def mp_value(theta, mu):
+        """Return the value at mpmath numbers, to the working precision."""
+        return mpmath.cos(theta) - mu * mpmath.sin(abs(theta))
 
     def _eval_rewrite_as_cos(self, theta, mu, **kwargs):
         return cos(theta) - mu * sin(Abs(theta))

@@ -132,6 +132,6 @@ def constants():
     with mp.workdps(70):
         head = mpf(int(mp.log(2) * 2**32)) / 2**32
         return {
-            "half_pi": split(mp.pi / 2, 3),
+            "half_pi": split(mp.pi / 2, 4),
             "log_2": (float(head), *split(mp.log(2) - head, 2)),
         }

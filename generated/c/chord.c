@@ -13,7 +13,7 @@ double gs_chord_descent_time_free(double theta_in, double diameter_in, double g_
     const gs_scaled D = gs_load(diameter_in);
     const gs_scaled g = gs_load(g_in);
     const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(D, g), 1));
-    return ((isinf(diameter_in)) && (isinf(g_in))) ? gs_invalid() : gs_store(t0);
+    return gs_settle(t0, (isinf(diameter_in) && isinf(g_in)));
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
@@ -33,7 +33,7 @@ double gs_chord_descent_time_friction(double theta_in, double diameter_in, doubl
     if (n.hi <= 0.0)
         return INFINITY;
     const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, gs_div(C, n)), g), 1));
-    return ((isinf(diameter_in)) && (isinf(g_in))) ? gs_invalid() : gs_store(t0);
+    return gs_settle(t0, (isinf(diameter_in) && isinf(g_in)));
 }
 
 /* stable.chord.descent_time.drag, the stable form of chord.eq36.
@@ -49,7 +49,7 @@ double gs_chord_descent_time_drag(double theta_in, double diameter_in, double g_
     const gs_scaled gamma = gs_load(gamma_in);
     const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(D, g), 1));
     const gs_scaled p = gs_mul(gamma, t0);
-    return ((isinf(diameter_in) || isinf(gamma_in)) && (isinf(g_in))) ? gs_invalid() : gs_store(gs_mul(t0, gs_descent_factor(p)));
+    return gs_settle(gs_mul(t0, gs_descent_factor(p)), ((isinf(diameter_in) || isinf(gamma_in)) && isinf(g_in)));
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
@@ -71,7 +71,7 @@ double gs_chord_descent_time_friction_drag(double theta_in, double diameter_in, 
         return INFINITY;
     const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, gs_div(C, n)), g), 1));
     const gs_scaled p = gs_mul(gamma, t0);
-    return ((isinf(diameter_in) || isinf(gamma_in)) && (isinf(g_in))) ? gs_invalid() : gs_store(gs_mul(t0, gs_descent_factor(p)));
+    return gs_settle(gs_mul(t0, gs_descent_factor(p)), ((isinf(diameter_in) || isinf(gamma_in)) && isinf(g_in)));
 }
 
 double gs_chord_descent_time(double theta, double diameter, double g, double mu, double gamma)
@@ -214,7 +214,7 @@ double gs_chord_distance_drag(double t_in, double theta_in, double g_in, double 
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled z = gs_mul(t, gamma);
-    return ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_mul(gs_mul(fall, C), gs_phi2m(z)));
+    return gs_settle(gs_mul(gs_mul(fall, C), gs_phi2m(z)), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
 /* stable.chord.distance.friction_drag, the stable form of chord.eq41.
@@ -235,7 +235,7 @@ double gs_chord_distance_friction_drag(double t_in, double theta_in, double g_in
     if (n.hi <= 0.0)
         return 0.0;
     const gs_scaled z = gs_mul(t, gamma);
-    return ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_mul(gs_mul(fall, n), gs_phi2m(z)));
+    return gs_settle(gs_mul(gs_mul(fall, n), gs_phi2m(z)), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
 double gs_chord_distance(double t, double theta, double g, double mu, double gamma)
@@ -401,8 +401,8 @@ void gs_chord_position_drag(double t_in, double theta_in, double g_in, double ga
     const gs_scaled z = gs_mul(t, gamma);
     const gs_scaled shared = gs_mul(gs_mul(fall, C), gs_phi2m(z));
     const gs_scaled S = gs_sine(a);
-    *x_out = ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_mul(shared, S));
-    *y_out = ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_mul(shared, C));
+    *x_out = gs_settle(gs_mul(shared, S), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
+    *y_out = gs_settle(gs_mul(shared, C), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
 /* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
@@ -432,8 +432,8 @@ void gs_chord_position_friction_drag(double t_in, double theta_in, double g_in, 
     const gs_scaled shared = gs_mul(gs_mul(fall, n), gs_phi2m(z));
     const gs_scaled S = gs_sine(a);
     const gs_scaled C = gs_cosine(a);
-    *x_out = ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_mul(shared, S));
-    *y_out = ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_mul(shared, C));
+    *x_out = gs_settle(gs_mul(shared, S), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
+    *y_out = gs_settle(gs_mul(shared, C), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
 void gs_chord_position(double t, double theta, double g, double mu, double gamma, double *x, double *y)
@@ -600,9 +600,9 @@ void gs_chord_synchronous_circle_drag(double t_in, double g_in, double gamma_in,
     const gs_scaled fall = gs_mul(gs_mul(t, t), g);
     const gs_scaled z = gs_mul(t, gamma);
     const gs_scaled shared = gs_mul(fall, gs_phi2m(z));
-    *X_out = ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_constant(0.0));
-    *Y_out = ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_scale(shared, -1));
-    *R_out = ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_scale(shared, -1));
+    *X_out = gs_settle(gs_constant(0.0), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
+    *Y_out = gs_settle(gs_scale(shared, -1), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
+    *R_out = gs_settle(gs_scale(shared, -1), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
 /* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
@@ -624,9 +624,9 @@ void gs_chord_synchronous_circle_friction_drag(double t_in, double g_in, double 
     const gs_scaled fall = gs_mul(gs_mul(t, t), g);
     const gs_scaled z = gs_mul(t, gamma);
     const gs_scaled shared = gs_mul(fall, gs_phi2m(z));
-    *X_out = ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_scale(gs_mul(mu, shared), -1));
-    *Y_out = ((isinf(t_in) || isinf(g_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_scale(shared, -1));
-    *R_out = ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && (isinf(gamma_in))) ? gs_invalid() : gs_store(gs_mul(gs_sqrt(gs_add(gs_constant(1.0), gs_mul(mu, mu))), gs_scale(shared, -1)));
+    *X_out = gs_settle(gs_scale(gs_mul(mu, shared), -1), ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && isinf(gamma_in)));
+    *Y_out = gs_settle(gs_scale(shared, -1), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
+    *R_out = gs_settle(gs_mul(gs_sqrt(gs_add(gs_constant(1.0), gs_mul(mu, mu))), gs_scale(shared, -1)), ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && isinf(gamma_in)));
 }
 
 void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, double *X, double *Y, double *R)

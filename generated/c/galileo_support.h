@@ -54,7 +54,7 @@ extern const gs_table gs_phi1m_table, gs_phi2m_table, gs_descent_factor_table, g
     gs_range_factor_table, gs_best_angle_table, gs_wright_omega_table, gs_log1p_table;
 extern const double gs_sinc[GS_SERIES_TERMS][2], gs_cosm1[GS_SERIES_TERMS][2];
 extern const double gs_sine_table[][3], gs_cosine_table[][3];
-extern const double gs_half_pi[3], gs_log_2[3];
+extern const double gs_half_pi[4], gs_log_2[3];
 
 gs_scaled gs_phi1m(gs_scaled z);
 gs_scaled gs_phi2m(gs_scaled z);
@@ -198,6 +198,15 @@ static inline gs_scaled gs_cosine(gs_direction a)
     return a.c;
 }
 
+/* hi + lo rounded to a multiple of the smallest double: once, where rounding hi again would be twice. */
+static inline double gs_round_subnormal(gs_scaled a)
+{
+    const int e = a.e > -1200 ? a.e : -1200;
+    const double big = ldexp(1.0, -1074 - e) * 0x1p52;
+    const gs_pair s = gs_fast_two_sum(big, fabs(a.hi));
+    return copysign(ldexp((s.hi + (s.lo + copysign(1.0, a.hi) * a.lo)) - big, e), a.hi);
+}
+
 /* The nearest double, with the flags of one rounding; limits at infinite arguments come without a flag. */
 static inline double gs_store(gs_scaled a)
 {
@@ -205,7 +214,8 @@ static inline double gs_store(gs_scaled a)
         return copysign(INFINITY, a.hi);
     if (a.e < -GS_LIMIT)
         return copysign(0.0, a.hi);
-    return ldexp(a.hi, a.e);
+    const double result = ldexp(a.hi, a.e);
+    return fabs(result) <= DBL_MIN && a.hi != 0.0 ? gs_round_subnormal(a) : result;
 }
 
 /* A number that is only looked up: 0 below 2^-120, some large number above 2^100. */
@@ -231,6 +241,12 @@ static inline double gs_invalid(void)
 {
     feraiseexcept(FE_INVALID);
     return NAN;
+}
+
+/* The result, unless it is undecided because two arguments are infinite at once; an exact 0 stays 0. */
+static inline double gs_settle(gs_scaled value, int undecided)
+{
+    return undecided && value.hi != 0.0 ? gs_invalid() : gs_store(value);
 }
 
 /* An angle in binary32: the float next to pi/2, which lies above it, counts as pi/2. */

@@ -85,7 +85,7 @@ gs_scaled gs_best_elevation(gs_scaled a)
 /* Index of the nearest table step, and the exact distance from it. */
 static int gs_nearest_step(double x, double *d)
 {
-    const double i = floor(x * GS_ANGLE_STEPS + 0.5);
+    const double i = rint(x * GS_ANGLE_STEPS);
     *d = x - i / GS_ANGLE_STEPS;
     return (int)i;
 }
@@ -120,7 +120,7 @@ gs_direction gs_angle(double theta)
         const gs_pair r = gs_two_sum(gs_half_pi[0] - a.x, gs_half_pi[1]), rest = gs_two_sum(r.lo, gs_half_pi[2]);
         a.x = r.hi;
         a.x2 = rest.hi;
-        a.x3 = rest.lo;
+        a.x3 = rest.lo + gs_half_pi[3];
     }
     const int tiny = a.x < 0x1p-60;
     gs_sine_cosine(tiny ? 0.0 : a.x, a.x2, &sine, &cosine);

@@ -15,7 +15,7 @@ double gs_projectile_flight_time_free(double theta_in, double v_in, double g_in)
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
     const gs_scaled rise = gs_div(gs_mul(v, S), g);
-    return ((isinf(v_in)) && (isinf(g_in))) ? gs_invalid() : gs_store(gs_scale(rise, 1));
+    return gs_settle(gs_scale(rise, 1), (isinf(v_in) && isinf(g_in)));
 }
 
 /* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
@@ -33,7 +33,7 @@ double gs_projectile_flight_time_drag(double theta_in, double v_in, double g_in,
     const gs_scaled S = gs_sine(a);
     const gs_scaled rise = gs_div(gs_mul(v, S), g);
     const gs_scaled b = gs_mul(k, rise);
-    return ((isinf(v_in)) && (isinf(g_in))) ? gs_invalid() : gs_store(gs_scale(gs_mul(rise, gs_flight_factor(b)), 1));
+    return gs_settle(gs_scale(gs_mul(rise, gs_flight_factor(b)), 1), (isinf(v_in) && isinf(g_in)));
 }
 
 double gs_projectile_flight_time(double theta, double v, double g, double k)
@@ -106,7 +106,7 @@ double gs_projectile_horizontal_range_free(double theta_in, double v_in, double 
     const gs_scaled S = gs_sine(a);
     const gs_scaled rise = gs_div(gs_mul(v, S), g);
     const gs_scaled C = gs_cosine(a);
-    return ((isinf(v_in)) && (isinf(g_in))) ? gs_invalid() : gs_store(gs_scale(gs_mul(gs_mul(v, rise), C), 1));
+    return gs_settle(gs_scale(gs_mul(gs_mul(v, rise), C), 1), (isinf(v_in) && isinf(g_in)));
 }
 
 /* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
@@ -125,7 +125,7 @@ double gs_projectile_horizontal_range_drag(double theta_in, double v_in, double 
     const gs_scaled rise = gs_div(gs_mul(v, S), g);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled b = gs_mul(k, rise);
-    return ((isinf(v_in)) && (isinf(g_in) || isinf(k_in))) ? gs_invalid() : gs_store(gs_scale(gs_mul(gs_mul(gs_mul(v, rise), C), gs_range_factor(b)), 1));
+    return gs_settle(gs_scale(gs_mul(gs_mul(gs_mul(v, rise), C), gs_range_factor(b)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
 double gs_projectile_horizontal_range(double theta, double v, double g, double k)
@@ -205,7 +205,7 @@ void gs_projectile_position_free(double t_in, double theta_in, double v_in, doub
     const gs_scaled S = gs_sine(a);
     const gs_scaled fall = gs_mul(gs_mul(t, t), g);
     *x_out = gs_store(gs_mul(reach, C));
-    *y_out = ((isinf(v_in)) && (isinf(t_in) || isinf(g_in))) ? gs_invalid() : gs_store(gs_sub(gs_mul(reach, S), gs_scale(fall, -1)));
+    *y_out = gs_settle(gs_sub(gs_mul(reach, S), gs_scale(fall, -1)), (isinf(v_in) && (isinf(t_in) || isinf(g_in))));
 }
 
 /* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
@@ -230,8 +230,8 @@ void gs_projectile_position_drag(double t_in, double theta_in, double v_in, doub
     const gs_scaled C = gs_cosine(a);
     const gs_scaled S = gs_sine(a);
     const gs_scaled fall = gs_mul(gs_mul(t, t), g);
-    *x_out = ((isinf(v_in)) && (isinf(k_in))) ? gs_invalid() : gs_store(gs_mul(reach, C));
-    *y_out = ((isinf(v_in)) && (isinf(t_in) || isinf(g_in))) || ((isinf(v_in)) && (isinf(k_in))) || ((isinf(t_in) || isinf(g_in)) && (isinf(k_in))) ? gs_invalid() : gs_store(gs_sub(gs_mul(reach, S), gs_mul(fall, gs_phi2m(z))));
+    *x_out = gs_settle(gs_mul(reach, C), (isinf(v_in) && isinf(k_in)));
+    *y_out = gs_settle(gs_sub(gs_mul(reach, S), gs_mul(fall, gs_phi2m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && isinf(k_in)) || ((isinf(t_in) || isinf(g_in)) && isinf(k_in))));
 }
 
 void gs_projectile_position(double t, double theta, double v, double g, double k, double *x, double *y)

@@ -1,10 +1,22 @@
 """References for the tests: the printed equations, evaluated by mpmath with digits enough for their cancellation."""
 
 import math
+from functools import wraps
 
 from mpmath import mp, mpf
 
 _BITS = 260
+
+
+def _precise(reference):
+    """Run a reference with all its outer arithmetic at the base precision."""
+
+    @wraps(reference)
+    def run(*arguments, **named):
+        with mp.workprec(_BITS):
+            return reference(*arguments, **named)
+
+    return run
 
 
 def _spare(*numbers):
@@ -29,6 +41,7 @@ def _slope(theta, mu):
     return mp.cos(theta) - mu * mp.sin(abs(theta))
 
 
+@_precise
 def descent_time(theta, diameter, g, mu=0, gamma=0):
     theta, diameter, g, mu, gamma = map(mpf, (theta, diameter, g, mu, gamma))
     with mp.workprec(1500):
@@ -48,6 +61,7 @@ def _travel(t, g, gamma):
         return g / gamma * t - g / gamma**2 * (1 - mp.exp(-gamma * t))
 
 
+@_precise
 def distance(t, theta, g, mu=0, gamma=0):
     t, theta, g, mu, gamma = map(mpf, (t, theta, g, mu, gamma))
     with mp.workprec(1500):
@@ -55,12 +69,13 @@ def distance(t, theta, g, mu=0, gamma=0):
     return _travel(t, g, gamma) * n
 
 
+@_precise
 def chord_position(t, theta, g, mu=0, gamma=0):
     s = distance(t, theta, g, mu, gamma)
-    with mp.workprec(_BITS):
-        return s * mp.sin(theta), s * mp.cos(theta)
+    return s * mp.sin(theta), s * mp.cos(theta)
 
 
+@_precise
 def synchronous_circle(t, g, mu=0, gamma=0):
     t, g, mu, gamma = map(mpf, (t, g, mu, gamma))
     half = _travel(t, g, gamma) / 2
@@ -81,6 +96,7 @@ def _impact(b):
     raise ArithmeticError("Newton did not settle")
 
 
+@_precise
 def flight_time(theta, v, g, k=0):
     theta, v, g, k = map(mpf, (theta, v, g, k))
     rise = v * mp.sin(theta) / g
@@ -89,6 +105,7 @@ def flight_time(theta, v, g, k=0):
         return _impact(k * rise) / k if k and rise else 2 * rise
 
 
+@_precise
 def horizontal_range(theta, v, g, k=0):
     theta, v, g, k = map(mpf, (theta, v, g, k))
     time = flight_time(theta, v, g, k)
@@ -96,6 +113,7 @@ def horizontal_range(theta, v, g, k=0):
         return v * mp.cos(theta) * ((1 - mp.exp(-k * time)) / k if k else time)
 
 
+@_precise
 def projectile_position(t, theta, v, g, k=0):
     """x, y, and the larger of the two terms of y."""
     t, theta, v, g, k = map(mpf, (t, theta, v, g, k))
@@ -106,6 +124,7 @@ def projectile_position(t, theta, v, g, k=0):
         return reach * mp.cos(theta), rise - fall, max(rise, fall)
 
 
+@_precise
 def best_angle(alpha):
     alpha = mpf(alpha)
     if alpha == 0:

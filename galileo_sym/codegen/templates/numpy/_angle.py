@@ -25,7 +25,7 @@ class Angle(NamedTuple):
 
 
 def _nearest_step(x):
-    i = np.floor(x * ANGLE_STEPS + 0.5)
+    i = np.rint(x * ANGLE_STEPS)
     return i.astype(np.int32), x - i / ANGLE_STEPS
 
 
@@ -51,7 +51,7 @@ def angle(theta):
     complement = a > _QUARTER_PI
     r, r2 = two_sum(HALF_PI[0] - a, HALF_PI[1])
     r2, r3 = two_sum(r2, HALF_PI[2])
-    x, x2, x3 = (np.where(complement, y, z) for y, z in ((r, a), (r2, 0.0), (r3, 0.0)))
+    x, x2, x3 = (np.where(complement, y, z) for y, z in ((r, a), (r2, 0.0), (r3 + HALF_PI[3], 0.0)))
     tiny = x < 2.0**-60
     sine, cosine = _sine_cosine(np.where(tiny, 0.0, x), x2)
     zero = np.zeros_like(x, dtype=np.int32)

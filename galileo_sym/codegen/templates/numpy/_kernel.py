@@ -65,8 +65,11 @@ def clash(*groups):
 
 
 def settle(value, void, undecided=False, rest=False, at_rest=0.0):
-    """Round a result to doubles: at_rest in the lanes at rest, NaN where void or undecided."""
-    undecided = undecided & ~np.asarray(rest)
+    """Round a result to doubles: at_rest in the lanes at rest, NaN where void or undecided.
+
+    An exact 0 is 0 however infinite the other factors are.
+    """
+    undecided = undecided & ~np.asarray(rest) & (value.hi != 0.0)
     if np.any(undecided):
         raise_invalid()
     void = void | undecided

@@ -134,8 +134,22 @@ def select(mask, a, b):
     return Scaled(*(np.where(mask, x, y) for x, y in zip(a, b, strict=True)))
 
 
+def _round_subnormal(hi, lo, e):
+    """Round hi + lo to a multiple of the smallest double: once, where rounding hi again would be twice."""
+    e = np.maximum(e, -1200)
+    unit = np.ldexp(1.0, -1074 - e)
+    big = unit * 2.0**52
+    s, t = fast_two_sum(big, np.abs(hi))
+    return np.copysign(np.ldexp((s + (t + np.copysign(1.0, hi) * lo)) - big, e), hi)
+
+
 def store(a):
     """Return the nearest double, with the flags of one rounding; limits at infinite arguments come without a flag."""
-    beyond = np.abs(a.e) > _LIMIT
-    limit = np.copysign(np.where(a.e > 0, np.inf, 0.0), a.hi)
-    return np.where(beyond, limit, np.ldexp(np.where(beyond, 0.0, a.hi), np.where(beyond, 0, a.e)))
+    hi, lo, e = np.broadcast_arrays(a.hi, a.lo, a.e)
+    beyond = np.abs(e) > _LIMIT
+    limit = np.copysign(np.where(e > 0, np.inf, 0.0), hi)
+    result = np.where(beyond, limit, np.ldexp(np.where(beyond, 0.0, hi), np.where(beyond, 0, e)))
+    subnormal = (np.abs(result) <= 2.0**-1022) & (hi != 0.0) & ~beyond
+    if np.any(subnormal):
+        result[subnormal] = _round_subnormal(hi[subnormal], lo[subnormal], e[subnormal])
+    return result

@@ -1,0 +1,92 @@
+"""Floating-point exceptions of the C functions: none that is not due, and the header for C and C++."""
+
+import shutil
+import subprocess
+
+import compiled
+import pytest
+
+# Expression, result class, exceptions other than FE_INEXACT.
+CASES = [
+    ("gs_chord_descent_time(0.3, 1.0, 9.81, 0.2, 0.5)", "isfinite", "0"),
+    ("gs_chord_descent_time(1.4, 1.0, 9.81, 0.5, 0.5)", "isinf", "0"),
+    ("gs_chord_descent_time(1.1071487177940904, 1.0, 9.81, 0.5, 1.0)", "isfinite", "0"),
+    ("gs_chord_descent_time(1e-300, 1.0, 9.81, 0.9999999e300, 1.0)", "isfinite", "0"),
+    ("gs_chord_descent_time(1e-308, 1e-300, 1e300, 1e308, 1e-300)", "isfinite", "0"),
+    ("gs_chord_descent_time(0.3, INFINITY, 9.81, 0.2, 0.5)", "isinf", "0"),
+    ("gs_chord_descent_time(0.3, INFINITY, INFINITY, 0.2, 0.5)", "isnan", "FE_INVALID"),
+    ("gs_chord_descent_time(0.3, 1.0, INFINITY, 0.2, 0.5)", "is_zero", "0"),
+    ("gs_chord_descent_time(NAN, -1.0, 9.81, 0.2, 0.5)", "isnan", "0"),
+    ("gs_chord_descent_time(0.3, -1.0, 9.81, 0.2, 0.5)", "isnan", "FE_INVALID"),
+    ("gs_chord_descent_time(2.0, 1.0, 9.81, 0.2, 0.5)", "isnan", "FE_INVALID"),
+    ("gs_chord_distance(1e250, 0.3, 1e-300, 0.2, 1e250)", "isfinite", "0"),
+    ("gs_chord_distance(1e-200, 0.3, 1e-200, 0.2, 1.0)", "is_zero", "FE_UNDERFLOW"),
+    ("gs_chord_distance(1e200, 0.3, 1.0, 0.2, 0.0)", "isinf", "FE_OVERFLOW"),
+    ("gs_chord_distance(1e200, 1.5, 1.0, 0.2, 0.0)", "is_zero", "0"),
+    ("gs_chord_distance(INFINITY, 0.3, 1.0, 0.2, INFINITY)", "isnan", "FE_INVALID"),
+    ("gs_projectile_flight_time(0.5, 10.0, 9.81, 1e-300)", "isfinite", "0"),
+    ("gs_projectile_flight_time(1e-310, 10.0, 9.81, 1.0)", "isfinite", "FE_UNDERFLOW"),
+    ("gs_projectile_horizontal_range(0.5, 1e200, 9.81, 1e200)", "isfinite", "0"),
+    ("gs_projectile_horizontal_range(-0.1, 1.0, 9.81, 1.0)", "isnan", "FE_INVALID"),
+    ("gs_projectile_best_angle(0.0)", "isfinite", "0"),
+    ("gs_projectile_best_angle(1e-320)", "isfinite", "0"),
+    ("gs_projectile_best_angle(1e300)", "isfinite", "0"),
+    ("gs_projectile_best_angle(INFINITY)", "is_zero", "0"),
+    ("gs_projectile_best_angle(-1.0)", "isnan", "FE_INVALID"),
+]
+
+DRIVER = """#include <fenv.h>
+#include <math.h>
+#include <stdio.h>
+#include "galileo.h"
+#define is_zero(x) ((x) == 0.0)
+static int failures;
+#define CASE(expression, kind, flags) do {{ \\
+    feclearexcept(FE_ALL_EXCEPT); \\
+    volatile double value = expression; \\
+    const int raised = fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW); \\
+    const double x = value; \\
+    if (!(kind(x)) || raised != (flags)) {{ \\
+        printf("%s: %a, exceptions %d instead of %d\\n", #expression, x, raised, (int)(flags)); \\
+        failures++; \\
+    }} }} while (0)
+int main(void)
+{{
+{cases}
+    return failures != 0;
+}}
+"""
+
+
+def test_exceptions(tmp_path):
+    compiler = compiled.library() and compiled.compilers()[0]
+    cases = "\n".join(f"    CASE({expression}, {kind}, {flags});" for expression, kind, flags in CASES)
+    driver = tmp_path / "flags.c"
+    driver.write_text(DRIVER.format(cases=cases))
+    program = tmp_path / "flags"
+    sources = sorted(map(str, compiled.SOURCES.glob("*.c")))
+    command = [compiler, "-std=c99", "-O2", "-ffp-contract=off", "-I", str(compiled.SOURCES), str(driver), *sources]
+    subprocess.run([*command, "-o", str(program), "-lm"], check=True)
+    done = subprocess.run([str(program)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+@pytest.mark.parametrize("compiler", compiled.compilers() or [None])
+def test_compiles_clean_with_every_compiler_there_is(compiler):
+    assert compiled.library(compiler).gs_chord_descent_time_n
+
+
+def test_header_is_usable_from_cpp(tmp_path):
+    compiler = shutil.which("g++") or shutil.which("clang++")
+    if compiler is None:
+        pytest.skip("no C++ compiler on PATH: the header is not tested with C++")
+    user = tmp_path / "user.cpp"
+    user.write_text('#include "galileo.h"\ndouble f() { return gs_projectile_best_angle(1.0); }\n')
+    flags = ["-std=c++98", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only"]
+    subprocess.run([compiler, *flags, "-I", str(compiled.SOURCES), str(user)], check=True)
+
+
+def test_sources_need_no_heap_and_no_errno():
+    text = "\n".join(path.read_text() for path in sorted(compiled.SOURCES.iterdir()))
+    for word in ("malloc", "calloc", "errno.h", "stdlib.h", "static double "):
+        assert word not in text
