@@ -1,43 +1,190 @@
 """Stable forms of the chord formulas: the drag-free value times a factor of one dimensionless number."""
 
-from sympy import cos, sin, sqrt, symbols
+import sympy as sp
+from galileo_sym.derivations.chord.notation import D, R, X, Y, g, gamma, mu, n, notation, s, t, t_AB, theta, x, y
+from sympy import Abs, Eq, Interval, Tuple, atan, cos, exp, pi, sin, sqrt
 
+from galileo_sym.ledger import NONNEGATIVE, POSITIVE, Chapter, DerivationError, Domain, step, tell_chapter
 from galileo_sym.primitives import descent_factor, driving, phi2
+from galileo_sym.tactics import at_rest, introduce, read_circle, solve_motion
 
-D, g, t, mu, gamma = symbols("D g t mu gamma", positive=True)
-theta = symbols("theta", real=True)
+chapter = Chapter("stable.chord", notation, "stable forms (not printed)")
 
-_n = driving(theta, mu)
-_drag = 2 * phi2(-gamma * t)
-_fall = g * t**2 / 2
-_time = sqrt(2 * D / g)
-_slow_time = sqrt(2 * D * cos(theta) / (g * _n))
-_oblique = sqrt(1 + mu**2)
+SLIDE = driving(theta, mu)
+DRAG = 2 * phi2(-gamma * t)
+FALL = g * t**2 / 2
+TIME = sqrt(2 * D / g)
+SLOW_TIME = sqrt(2 * D * cos(theta) / (g * SLIDE))
+CIRCLE = Tuple(X(t), Y(t), R(t))
+OBLIQUE = sqrt(1 + mu**2)
+
+ANGLES = {"": Interval.open(-pi / 2, pi / 2), "friction": Interval.open(-atan(1 / mu), atan(1 / mu))}
+MU, GAMMA = {mu: POSITIVE}, {gamma: POSITIVE}
+DROP = {g: POSITIVE, D: POSITIVE}
+PATH = {g: POSITIVE, t: NONNEGATIVE}
+EVERY, SLIDING = {theta: ANGLES[""]}, {theta: ANGLES["friction"]}
 
 
-def _position(distance):
-    return {"x": distance * sin(theta), "y": distance * cos(theta)}
+def both_sides(right, left):
+    """One expression for both signs of theta, from those for theta >= 0 and for theta < 0, mirror images."""
+    if sp.simplify(right - left.subs(theta, -theta)) != 0:
+        raise DerivationError(f"{right} and {left} are not mirror images")
+    return right.subs(theta, Abs(theta)).subs(cos(Abs(theta)), cos(theta))
 
 
-STABLE = {
-    "chord.descent_time.free": {"descent_time": _time},
-    "chord.descent_time.friction": {"descent_time": _slow_time},
-    "chord.descent_time.drag": {"descent_time": _time * descent_factor(gamma * _time)},
-    "chord.descent_time.friction_drag": {"descent_time": _slow_time * descent_factor(gamma * _slow_time)},
-    "chord.distance.free": {"distance": _fall * cos(theta)},
-    "chord.distance.friction": {"distance": _fall * _n},
-    "chord.distance.drag": {"distance": _fall * cos(theta) * _drag},
-    "chord.distance.friction_drag": {"distance": _fall * _n * _drag},
-    "chord.position.free": _position(_fall * cos(theta)),
-    "chord.position.friction": _position(_fall * _n),
-    "chord.position.drag": _position(_fall * cos(theta) * _drag),
-    "chord.position.friction_drag": _position(_fall * _n * _drag),
-    "chord.synchronous_circle.free": {"X": 0 * g, "Y": _fall / 2, "R": _fall / 2},
-    "chord.synchronous_circle.friction": {"X": mu * _fall / 2, "Y": _fall / 2, "R": _oblique * _fall / 2},
-    "chord.synchronous_circle.drag": {"X": 0 * g, "Y": _fall * _drag / 2, "R": _fall * _drag / 2},
-    "chord.synchronous_circle.friction_drag": {
-        "X": mu * _fall * _drag / 2,
-        "Y": _fall * _drag / 2,
-        "R": _oblique * _fall * _drag / 2,
-    },
+def in_driving(expr):
+    """Write an expression that is proportional to cos(theta) - mu*sin|theta| with `driving`."""
+    rest = sp.simplify(expr / SLIDE.rewrite(cos))
+    if rest.has(theta):
+        raise DerivationError(f"{expr} is not proportional to {SLIDE.rewrite(cos)}")
+    return rest * SLIDE
+
+
+def coordinates(distance):
+    """x and y of a bead at a distance along its chord."""
+    return Tuple(distance * sin(theta), distance * cos(theta))
+
+
+@chapter.derive("stable.chord.descent_time.free", Eq(t_AB, TIME), Domain({**DROP, **EVERY}))
+def time_free(eq2, eq3):
+    """Nothing cancels: (2) with the length (3)."""
+    return Eq(t_AB, sp.simplify(eq2.rhs.subs(sp.Symbol("s_AB", positive=True), eq3.rhs)))
+
+
+@chapter.derive("stable.chord.descent_time.friction", Eq(t_AB, SLOW_TIME), Domain({**DROP, **MU, **SLIDING}))
+def time_friction(eq17, eq18):
+    """1 - mu tan|theta| is driving/cos(theta): no tangent is formed."""
+    slow = sp.simplify(both_sides(eq17.rhs, eq18.rhs).subs(sp.tan(Abs(theta)), (1 - n) / mu))
+    return Eq(t_AB, in_driving_share(slow))
+
+
+def in_driving_share(expr):
+    """Put n = 1 - mu*tan|theta| = driving/cos(theta) in: no tangent is formed."""
+    step("driving", Eq(SLIDE, SLIDE.rewrite(cos), evaluate=False))
+    step("n", Eq(n, SLIDE / cos(theta), evaluate=False))
+    inverse = sp.Dummy("inverse", positive=True)
+    return expr.subs(n, 1 / inverse).subs(inverse, cos(theta) / SLIDE)
+
+
+@chapter.derive(
+    "stable.chord.descent_time.drag",
+    Eq(t_AB, TIME * descent_factor(gamma * TIME)),
+    Domain({**DROP, **GAMMA}),
+)
+def time_drag(eq36, eq4):
+    """W is taken out of (36) by the factor at gamma t0, t0 the time (4) without drag."""
+    return Eq(t_AB, introduce(eq36.rhs, descent_factor(gamma * eq4.rhs)))
+
+
+@chapter.derive(
+    "stable.chord.descent_time.friction_drag",
+    Eq(t_AB, SLOW_TIME * descent_factor(gamma * SLOW_TIME)),
+    Domain({**DROP, **MU, **GAMMA, **SLIDING}),
+)
+def time_friction_drag(eq43, eq17, eq18):
+    """The same in (43), t0 the time (17), (18) without drag."""
+    put = {sp.tan(Abs(theta)): (1 - n) / mu}
+    slow = sp.simplify(both_sides(eq17.rhs, eq18.rhs).subs(put))
+    factored = introduce(eq43.rhs.subs(put), descent_factor(gamma * slow))
+    return Eq(t_AB, in_driving_share(factored))
+
+
+PATHS = {
+    "free": (FALL * cos(theta), Domain({**PATH, **EVERY})),
+    "friction": (FALL * SLIDE, Domain({**PATH, **MU, **SLIDING})),
+    "drag": (FALL * cos(theta) * DRAG, Domain({**PATH, **GAMMA, **EVERY})),
+    "friction_drag": (FALL * SLIDE * DRAG, Domain({**PATH, **MU, **GAMMA, **SLIDING})),
 }
+
+
+@chapter.derive("stable.chord.distance.free", Eq(s(t), PATHS["free"][0]), PATHS["free"][1])
+def distance_free(law__frictionless):
+    """Nothing cancels: the law solved from rest."""
+    return solve_motion(law__frictionless.equation, s(t), at_rest(s(t)))
+
+
+@chapter.derive("stable.chord.distance.friction", Eq(s(t), PATHS["friction"][0]), PATHS["friction"][1])
+def distance_friction(eq15, eq14):
+    """(15), and its mirror image for theta < 0, with `driving`."""
+    left = solve_motion(eq14.equation, s(t), at_rest(s(t)))
+    step("driving", Eq(SLIDE, SLIDE.rewrite(cos), evaluate=False))
+    return Eq(s(t), in_driving(both_sides(eq15.rhs, left.rhs)))
+
+
+@chapter.derive("stable.chord.distance.drag", Eq(s(t), PATHS["drag"][0]), PATHS["drag"][1])
+def distance_drag(eq29):
+    """The exponential is taken out of (29) by phi2."""
+    return Eq(s(t), introduce(eq29.rhs, phi2(-gamma * t), closed=exp))
+
+
+@chapter.derive("stable.chord.distance.friction_drag", Eq(s(t), PATHS["friction_drag"][0]), PATHS["friction_drag"][1])
+def distance_friction_drag(eq41, claim__negative_theta_sign):
+    """The exponential is taken out of (41) by phi2, for both signs of theta with `driving`."""
+    both = both_sides(eq41.rhs, claim__negative_theta_sign.of(s(t)))
+    step("driving", Eq(SLIDE, SLIDE.rewrite(cos), evaluate=False))
+    return Eq(s(t), in_driving(introduce(both, phi2(-gamma * t), closed=exp)))
+
+
+def place(path, setup):
+    """The coordinates of a bead from its distance along the chord."""
+    put = {s(t): path.of(s(t))}
+    return Eq(Tuple(x, y), Tuple(setup.of(x).subs(put), setup.of(y).subs(put)))
+
+
+for _forces, (_path, _domain) in PATHS.items():
+    chapter.derive(
+        f"stable.chord.position.{_forces}",
+        Eq(Tuple(x, y), coordinates(_path)),
+        _domain,
+        premises=(f"stable.chord.distance.{_forces}", "chord.setup"),
+    )(place)
+
+
+def circle_domain(*forces):
+    """The assumptions of a synchronous circle."""
+    return Domain({**PATH, **dict.fromkeys(forces, POSITIVE)})
+
+
+@chapter.derive("stable.chord.synchronous_circle.free", Eq(CIRCLE, Tuple(0, FALL / 2, FALL / 2)), circle_domain())
+def circle_free(claim__centre_accel, eq10):
+    """Nothing cancels: the centre of (9) and the radius (10)."""
+    centre = next(e.rhs for e in claim__centre_accel.parts if isinstance(e.rhs, Tuple))
+    return Eq(CIRCLE, Tuple(*centre, eq10.rhs))
+
+
+@chapter.derive(
+    "stable.chord.synchronous_circle.friction",
+    Eq(CIRCLE, Tuple(mu * FALL / 2, FALL / 2, OBLIQUE * FALL / 2)),
+    circle_domain(mu),
+)
+def circle_friction(claim__centre_off_axis, eq22):
+    """Nothing cancels: the centre (-X, Y) of (21) and the radius (22)."""
+    across, down = next(e.rhs for e in claim__centre_off_axis.parts if isinstance(e.rhs, Tuple))
+    return Eq(CIRCLE, Tuple(-across, down, eq22.rhs))
+
+
+@chapter.derive(
+    "stable.chord.synchronous_circle.drag",
+    Eq(CIRCLE, Tuple(0, FALL * DRAG / 2, FALL * DRAG / 2)),
+    circle_domain(gamma),
+)
+def circle_drag(eq31, eq32):
+    """The circle (31) has its centre at (0, R); the exponential is taken out of (32) by phi2."""
+    seen = read_circle(eq31.equation, x, y)
+    form = introduce(eq32.rhs, phi2(-gamma * t), closed=exp)
+    return Eq(CIRCLE, Tuple(*(e.subs(R(t), form) for e in (*seen.centre, seen.radius))))
+
+
+@chapter.derive(
+    "stable.chord.synchronous_circle.friction_drag",
+    Eq(CIRCLE, Tuple(mu * FALL * DRAG / 2, FALL * DRAG / 2, OBLIQUE * FALL * DRAG / 2)),
+    circle_domain(mu, gamma),
+)
+def circle_friction_drag(eq45, eq46, eq47):
+    """The exponential is taken out of (45) by phi2; (46) and (47) follow."""
+    depth = introduce(eq45.rhs, phi2(-gamma * t), closed=exp)
+    return Eq(CIRCLE, Tuple(*(e.subs(Y(t), depth) for e in (eq46.rhs, Y(t), eq47.rhs))))
+
+
+if __name__ == "__main__":
+    tell_chapter(chapter.name)

@@ -174,7 +174,7 @@ class Ledger(Mapping):
     def _named(self, name):
         if name in self._entries:
             return [self._entries[name]]
-        inside = [e for e in self._entries.values() if e.chapter.name == name or e.chapter.name.startswith(name + ".")]
+        inside = [e for e in self._entries.values() if f"{e.chapter.name}.".startswith(f"{name}.")]
         if not inside:
             raise UnknownEntry(name, [*self._entries, *self.chapters])
         return inside

@@ -172,7 +172,7 @@ def _diverges(limit, point):
 
 def _shrinks(gap, before, digits):
     """A gap that goes with the precision is rounding: both sides are 0 there."""
-    return before is not None and gap <= before[0] * mp.mpf(10) ** (-(digits - before[1]) // 2)
+    return before is not None and gap <= before[0] * mp.mpf(10) ** (-(digits - before[1]) // 3)
 
 
 def _terms(*sides):

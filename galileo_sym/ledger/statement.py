@@ -72,20 +72,18 @@ class Chapter:
             Declaration(identifier, item, self.notation, statement, domain, tuple(premises), None, erratum)
         )
 
-    def derive(self, identifier, printed, domain, *, erratum=None):
+    def derive(self, identifier, printed, domain, *, premises=None, erratum=None):
         """Enter a statement with its derivation, a function of its premises.
 
         The names of the function's arguments are the premises' ids: ``eq19`` is chord.eq19 in the chord paper,
-        ``claim__slides_iff`` is chord.claim.slides-iff, ``projectile__res3`` reaches into the other paper.
+        ``claim__slides_iff`` is chord.claim.slides-iff, ``projectile__res3`` reaches into the other paper. Where one
+        function serves several entries, `premises` names the ids instead, in the order of its arguments.
         """
 
         def enter(function):
-            premises = tuple(self._premise_id(name) for name in inspect.signature(function).parameters)
-            self._enter(
-                Declaration(
-                    identifier, self._item(identifier), self.notation, printed, domain, premises, function, erratum
-                )
-            )
+            ids = premises or (self._premise_id(name) for name in inspect.signature(function).parameters)
+            item = self._item(identifier)
+            self._enter(Declaration(identifier, item, self.notation, printed, domain, tuple(ids), function, erratum))
             return function
 
         return enter

@@ -1,11 +1,12 @@
 """The symbolic moves that derivations are made of, one small module each."""
 
-from .boxes import box_of, relation_of, sign_on, trig_box
+from .boxes import box_of, compare_on, sign_by_ladder, sign_on, trig_box
 from .circles import Circle, read_circle, sine_maximum, trace_circle
 from .eliminate import eliminate, eliminate_angle
+from .factors import first_order, introduce
 from .implicit import implicit_derivative
 from .inverse import inverse_between, undo
-from .limits import elementary_limit, limit_by_parameter
+from .limits import elementary_limit, limit_along, limit_by_parameter
 from .linear_exponential import (
     check_root,
     other_branch,
@@ -15,7 +16,15 @@ from .linear_exponential import (
     solve_linear_exponential,
 )
 from .ode import at_rest, integrate_from_zero, solve_motion, start_of
-from .roots import bound_by_end, least_value, monotone_on_half_line, one_root, unique_maximum
+from .roots import (
+    above_limit,
+    bound_by_end,
+    least_value,
+    monotone_on_half_line,
+    one_root,
+    sides_of_root,
+    unique_maximum,
+)
 from .signs import (
     arguments_reversed,
     ladder,
@@ -30,11 +39,13 @@ from .solve import isolate, substitute
 
 __all__ = [
     "Circle",
+    "above_limit",
     "arguments_reversed",
     "at_rest",
     "bound_by_end",
     "box_of",
     "check_root",
+    "compare_on",
     "elementary_limit",
     "eliminate",
     "eliminate_angle",
@@ -44,6 +55,7 @@ __all__ = [
     "isolate",
     "ladder",
     "least_value",
+    "limit_along",
     "limit_by_parameter",
     "monotone",
     "monotone_on_half_line",
@@ -54,9 +66,10 @@ __all__ = [
     "positive_before_root",
     "read_circle",
     "read_coefficients",
-    "relation_of",
     "root_of_product",
+    "sides_of_root",
     "sign_by_factors",
+    "sign_by_ladder",
     "sign_on",
     "simplify_inside",
     "sine_maximum",

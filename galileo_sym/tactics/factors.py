@@ -1,0 +1,67 @@
+"""From a printed closed form to its stable twin: the primitives put in for what cancels."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from galileo_sym.ledger import DerivationError, tactic
+from galileo_sym.ledger.equivalence import is_zero
+
+
+@tactic
+def introduce(expr, factor, *, closed=sp.LambertW):
+    """Write an expression with a primitive in place of its Lambert W, or its exponential.
+
+    Parameters
+    ----------
+    expr : expression
+        As printed.
+    factor : primitive at its argument, such as descent_factor(gamma*t0)
+    closed : LambertW or exp
+        What the closed form of the primitive is linear in.
+
+    Raises
+    ------
+    DerivationError
+        Nothing in the expression is what the closed form has.
+    """
+    form = sp.expand(factor.rewrite(closed))
+    hard = list(form.atoms(closed))
+    if len(hard) != 1:
+        raise DerivationError(f"the closed form of {factor} has {len(hard)} times {closed.__name__}: {form}")
+    inner = hard[0]
+    name = sp.Dummy("inner")
+    slope = form.xreplace({inner: name}).coeff(name)
+    rest = form.xreplace({inner: sp.S.Zero})
+    targets = [a for a in expr.atoms(type(inner)) if is_zero(a.args[0] - inner.args[0]) is not None]
+    if not targets:
+        raise DerivationError(f"{expr} has no {inner}")
+    put = (factor - rest) / slope
+    return sp.simplify(sp.expand(expr.xreplace(dict.fromkeys(targets, put))))
+
+
+@tactic
+def first_order(expr, force, slopes: dict):
+    """Value and first derivative of a stable form where a force vanishes.
+
+    Parameters
+    ----------
+    expr : expression
+        Products of powers and of primitives whose arguments are multiples of `force`.
+    slopes : dict
+        Proved derivatives of the primitives at 0: {descent_factor: 1/6, ...}.
+
+    Returns
+    -------
+    pair
+        The value at force = 0, and the derivative with respect to it.
+    """
+    primitives = [f for f in expr.atoms(sp.Function) if f.func in slopes]
+    expansions = {}
+    for f in primitives:
+        argument = f.args[0]
+        if not sp.simplify(argument / force).is_constant(force):
+            raise DerivationError(f"the argument of {f} is not a multiple of {force}")
+        expansions[f] = f.func(0) + slopes[f.func] * argument
+    near = sp.expand(expr.xreplace(expansions))
+    return sp.simplify(near.subs(force, 0)), sp.simplify(sp.diff(near, force).subs(force, 0))
