@@ -8,7 +8,7 @@ of W, and tau, a_3 ... d_3 are the t, a ... d of the proof of Theorem 3.
 import sympy as sp
 from mpmath import mp
 
-from galileo_sym.ledger import LENGTH, ONE, TIME, Notation
+from galileo_sym.ledger import LENGTH, ONE, POSITIVE, TIME, Notation
 
 notation = Notation("projectile")
 symbol, function = notation.symbol, notation.function
@@ -55,6 +55,21 @@ BEYOND = sp.Interval.open(-sp.oo, -1)
 
 W_u = sp.LambertW(u * sp.exp(u))
 U_OF_THETA = -1 - k * v * sp.sin(theta) / g
+SHOT = {g: POSITIVE, v: POSITIVE, k: POSITIVE}
+
+# for trials: the Lemma's y and its derivatives, and the slopes of the range, in terms of W
+Y = y(u)
+SLOPE = sp.Derivative(Y, u)
+CURVATURE = sp.Derivative(Y, (u, 2))
+TRIAL_Y = {Y: W_u, SLOPE: sp.diff(W_u, u), CURVATURE: sp.diff(W_u, u, 2)}
+TRIAL_RANGE = (v * sp.cos(theta) / k * (1 - W_u / u)).subs(u, U_OF_THETA)
+TRIAL = {
+    **TRIAL_Y,
+    u: U_OF_THETA,
+    R(k, theta): TRIAL_RANGE,
+    **{sp.Derivative(R(k, theta), z): sp.diff(TRIAL_RANGE, z) for z in (k, theta)},
+    **{sp.Derivative(U(k, theta), z): sp.diff(U_OF_THETA, z) for z in (k, theta)},
+}
 
 
 class StationaryAngle(sp.Function):

@@ -1,4 +1,4 @@
-"""Signs of expressions whose parts are known to lie in intervals."""
+"""Signs of expressions: parts known to lie in intervals, and factors that the ladder knows."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from galileo_sym.ledger import DerivationError, tactic
+
+from .signs import ladder
 
 PLUS = sp.Interval.open(0, sp.oo)
 MINUS = sp.Interval.open(-sp.oo, 0)
@@ -97,6 +99,28 @@ def _parametrised(values, p):
     raise DerivationError(f"{values} says nothing of a sign")
 
 
-def relation_of(expr, sign: int):
-    """The inequality that a sign means: Gt(expr, 0) or Lt(expr, 0)."""
-    return (sp.Gt if sign > 0 else sp.Lt)(expr, 0, evaluate=False)
+@tactic
+def sign_by_ladder(expr, variable) -> int:
+    """The sign of a product or quotient for every variable > 0: that of each factor by the derivative ladder."""
+    sign = 1
+    for part in sp.fraction(sp.together(sp.simplify(expr))):
+        for factor in sp.Mul.make_args(sp.factor(part)):
+            base, power = factor.as_base_exp() if factor.is_Pow else (factor, sp.S.One)
+            sign *= _either(base, variable) ** power
+    return int(sign)
+
+
+def _either(expr, variable):
+    for sign in (1, -1):
+        try:
+            ladder(sign * expr, variable)
+        except DerivationError:
+            continue
+        return sign
+    raise DerivationError(f"{expr} has no sign that the ladder proves for {variable} > 0")
+
+
+@tactic
+def compare_on(left, right, box: dict):
+    """Gt(left, right) or Lt(left, right), by the sign of the difference on a box."""
+    return (sp.Gt if sign_on(left - right, box) > 0 else sp.Lt)(left, right, evaluate=False)

@@ -63,7 +63,9 @@ def inverse_between(claim: StrictlyIncreasing, inverse, argument, low, high, bou
     f, w, interval = claim.args
     if not isinstance(claim, StrictlyIncreasing) or not (low in interval and high in interval):
         raise DerivationError(f"{claim} does not compare {low} and {high}")
-    for relation in (sp.Gt(argument, f.subs(w, low)), sp.Lt(argument, f.subs(w, high))):
+    above = sp.Gt(argument, f.subs(w, low), evaluate=False)
+    below = sp.Lt(argument, f.subs(w, high), evaluate=False)
+    for relation in (above, below):
         if relation not in bounds.args:
             raise DerivationError(f"{relation} is not among {bounds}")
-    return sp.And(sp.Gt(inverse, low), sp.Lt(inverse, high))
+    return sp.And(sp.Gt(inverse, low, evaluate=False), sp.Lt(inverse, high, evaluate=False))

@@ -32,10 +32,22 @@ def limit_by_parameter(expr, variable, point, direction, parameter, path, at, si
     `expr` must already be written in the parameter s; `path` is checked to tend to `point` from the side
     `direction`, monotonically near it.
     """
+    _require_approach(variable, point, direction, parameter, path, at, side)
+    return elementary_limit(expr, parameter, at, side)
+
+
+@tactic
+def limit_along(known: sp.Eq, parameter, path, at, side="+"):
+    """The limit of f(path(s)) as s -> at, from a proved limit Eq(Limit(f(x), x, point, direction), value)."""
+    _, variable, point, direction = known.lhs.args
+    _require_approach(variable, point, str(direction), parameter, path, at, side)
+    return known.rhs
+
+
+def _require_approach(variable, point, direction, parameter, path, at, side):
     if elementary_limit(path, parameter, at, side) != point:
         raise DerivationError(f"{variable} = {path} does not tend to {point} as {parameter} goes to {at}")
     slope = sp.limit(sp.diff(path, parameter), parameter, at, side)
     moves = slope * (1 if side == "+" else -1)
     if not (moves.is_positive if direction == "+" else moves.is_negative):
         raise DerivationError(f"{variable} = {path} does not approach {point} from the side {direction!r}")
-    return elementary_limit(expr, parameter, at, side)

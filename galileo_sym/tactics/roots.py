@@ -14,7 +14,8 @@ from galileo_sym.ledger import (
 )
 from galileo_sym.ledger.equivalence import is_zero
 
-from .signs import ladder, monotone
+from .boxes import sign_by_ladder
+from .signs import monotone
 
 
 @tactic
@@ -29,13 +30,7 @@ def monotone_on_half_line(function, variable, interval):
     upwards = interval.end is sp.oo
     place = interval.start + away if upwards else interval.end - away
     slope = sp.diff(function, variable).subs(variable, place)
-    for sign in (1, -1):
-        try:
-            ladder(sign * slope, away)
-        except DerivationError:
-            continue
-        return monotone(function, variable, interval, sign)
-    raise DerivationError(f"the slope of {function} has no sign that the ladder proves on {interval}")
+    return monotone(function, variable, interval, sign_by_ladder(slope, away))
 
 
 @tactic
@@ -133,6 +128,62 @@ def one_root(claim, level, *, ends=(None, None), assuming=()) -> ExactlyOneRoot:
     if not (_below(low, level, open_low, assuming) and _below(level, high, open_high, assuming)):
         raise DerivationError(f"{level} is not shown to lie between {low} and {high}, the end values of {f}")
     return ExactlyOneRoot(f - level, x, interval)
+
+
+@tactic
+def above_limit(falls: sp.Lt, limit: sp.Eq, slope: sp.Eq | None = None) -> sp.Gt:
+    """A function that falls all the way up to a point lies above its limit there.
+
+    Parameters
+    ----------
+    falls : Lt
+        Lt(slope, 0), proved for every x below the point.
+    limit : Eq
+        Eq(Limit(f, x, point, "-"), value).
+    slope : Eq, optional
+        Eq(Derivative(f, x), slope), unless `falls` speaks of the derivative by that name.
+
+    Returns
+    -------
+    Gt
+        Gt(f, value).
+    """
+    f, x, _, direction = limit.lhs.args
+    named = sp.Derivative(f, x)
+    fits = falls.lhs == named if slope is None else slope.lhs == named and is_zero(falls.lhs - slope.rhs)
+    if not (fits and str(direction) == "-" and isinstance(falls, sp.StrictLessThan) and falls.rhs == 0):
+        raise DerivationError(f"{falls} does not say that {f} falls towards {limit}")
+    return sp.Gt(f, limit.rhs, evaluate=False)
+
+
+@tactic
+def sides_of_root(function, variable, whole, place, root: ExactlyOneRoot, factor: StrictlyIncreasing, sign: int):
+    """Monotony of a function on both sides of the root of a factor of its slope.
+
+    Parameters
+    ----------
+    function, variable : expression and Symbol
+        Continuous on the closed interval `whole`, with a slope that is `factor` times something of one sign inside.
+    whole : Interval
+    place : Symbol
+        Names the root.
+    root : ExactlyOneRoot
+        Of the factor, inside `whole`.
+    factor : StrictlyIncreasing
+    sign : int
+        Of the slope divided by the factor.
+
+    Returns
+    -------
+    pair of StrictlyIncreasing or StrictlyDecreasing
+        On the left and on the right of `place`.
+    """
+    if root.args != factor.args or not isinstance(factor, StrictlyIncreasing):
+        raise DerivationError(f"{root} and {factor} are not about one function")
+    if root.args[2] != sp.Interval.open(whole.start, whole.end):
+        raise DerivationError(f"{root} does not speak of the inside of {whole}")
+    left, right = sp.Interval(whole.start, place), sp.Interval(place, whole.end)
+    return monotone(function, variable, left, -sign), monotone(function, variable, right, sign)
 
 
 def _end_value(f, x, end, told):
