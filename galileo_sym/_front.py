@@ -81,7 +81,7 @@ def serve(row, arguments, forces, out=None, where=True, casting="same_kind", dty
     Parameters
     ----------
     row : dict
-        The function's row of ``FUNCTIONS`` in its generated module: ``outputs``, ``angle`` (index or None), ``kernels``.
+        The function's row of ``FUNCTIONS`` in its generated module: ``outputs``, ``angle`` (an index), ``kernels``.
     arguments : tuple of array_like
         All arguments but the forces, in order.
     forces : dict of str to array_like

@@ -1,9 +1,9 @@
 """Projectiles under gravity and linear resistance (Packel and Yuen, 2004).
 
 SI units, angles in radians from the horizontal. Arguments are array-likes that broadcast; float64 and float32 in, the
-same out; scalars give scalars. Outside the domain the result is NaN, with NumPy's 'invalid' floating-point error state;
-NaN gives NaN without it. An infinite argument gives the limit, or NaN and 'invalid' where there is none. All functions
-take ``out``, ``where``, ``dtype`` and ``casting`` as NumPy's ufuncs do.
+same out; scalars give scalars. Outside the domain the result is NaN, with NumPy's 'invalid' floating-point error
+state; NaN gives NaN without it. An infinite argument gives the limit, or NaN and 'invalid' where there is none. All
+functions take ``out``, ``where``, ``dtype`` and ``casting`` as NumPy's ufuncs do.
 
 Accuracy, for float64: within 1 ulp of the exact result at the arguments given, however large or small they are, as
 measured against mpmath; the height within 1 ulp of the larger of its two terms, which cancel at landing.

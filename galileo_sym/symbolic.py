@@ -5,18 +5,11 @@
 ``symbolic.chord.descent_time.force_sets``.
 """
 
-from functools import cache
 from types import SimpleNamespace
 
-from galileo_sym.catalogue import FUNCTIONS, stable
-from galileo_sym.ledger import Ledger
+from galileo_sym.catalogue import FUNCTIONS, ledger, stable
 
 __all__ = ["SymbolicFunction", "chord", "projectile"]
-
-
-@cache
-def _ledger():
-    return Ledger.load()
 
 
 class SymbolicFunction:
@@ -50,8 +43,8 @@ class SymbolicFunction:
     @property
     def printed(self):
         """Printed equations by force set: a tuple of SymPy statements, from the ledger."""
-        ledger = _ledger()
-        return {s: tuple(ledger[i].printed for i in self._function.sources(s)) for s in self.force_sets}
+        entries = ledger()
+        return {s: tuple(entries[i].printed for i in self._function.sources(s)) for s in self.force_sets}
 
 
 def _namespace(paper):

@@ -68,7 +68,8 @@ def _sources():
     for paper in _papers():
         files[f"{paper}.py"] = _python(f"the stable forms of {paper}", numpy.module(paper))
         files[f"c/{paper}.c"] = _c(f"the stable forms of {paper}", c99.source(paper))
-    files["c/galileo.h"] = _c("the catalogue", c99.header())
+    header = _template("c/galileo.h").replace("@DECLARATIONS@\n", c99.declarations())
+    files["c/galileo.h"] = _c("the catalogue", header)
     support = _template("c/galileo_support.h").replace("@SIZES@\n", tables.c_sizes())
     files["c/galileo_support.h"] = _c("templates/c/galileo_support.h", support)
     files["c/primitives.c"] = _c("templates/c/primitives.c", _template("c/primitives.c"))

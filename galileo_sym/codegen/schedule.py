@@ -97,7 +97,7 @@ class _Scheduler:
 
     def number(self, expression):
         """Node of a numerical constant."""
-        if Rational(float(expression)) != expression:
+        if not expression.is_Rational or Rational(float(expression)) != expression:
             raise TypeError(f"{expression} is not a double: write it as a quotient of ones that are")
         return ("constant", float(expression))
 

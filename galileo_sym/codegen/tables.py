@@ -3,7 +3,7 @@
 from galileo_sym.primitives.fit import PER_BINADE
 from galileo_sym.primitives.tables import ANGLE_STEPS, DEGREE, TABLES, angle_rows, constants, pieces, series_rows
 
-_SERIES_TERMS = 7
+_SERIES_TERMS = 9
 
 
 def _numbers(values, indent, per_line):
@@ -55,7 +55,7 @@ def c_tables():
         return ",\n".join("    {" + ", ".join(map(repr, row)) + "}" for row in rows)
 
     for name, key in (("gs_sinc", "sinc"), ("gs_cosm1", "cosm1")):
-        out.append(f"const double {name}[GS_SERIES_TERMS][2] = {{\n{pairs(series_rows(key, _SERIES_TERMS))}\n}};\n\n")
+        out.append(f"const double {name}[GS_SERIES_TERMS][3] = {{\n{pairs(series_rows(key, _SERIES_TERMS))}\n}};\n\n")
     for name, column in (("gs_sine_table", 0), ("gs_cosine_table", 1)):
         rows = pairs(row[column] for row in angle_rows())
         out.append(f"const double {name}[{len(angle_rows())}][3] = {{\n{rows}\n}};\n\n")

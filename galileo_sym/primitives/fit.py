@@ -103,6 +103,6 @@ def fit(function, x_max, degree, tolerance):
     worst = max(range(len(pieces)), key=lambda i: pieces[i].error)
     if pieces[worst].error > tolerance:
         raise ArithmeticError(
-            f"piece {worst} errs by {pieces[worst].error:.2e}, more than {tolerance:.2e}: raise the degree, now {degree}"
+            f"piece {worst} errs by {pieces[worst].error:.2e}, more than {tolerance:.2e}: raise the degree {degree}"
         )
     return pieces

@@ -117,10 +117,10 @@ def angle_rows():
 
 @cache
 def series_rows(name, count):
-    """Return Taylor coefficients, as pairs from d**2 on: of sin(d)/d - 1 (``sinc``) or of cos(d) - 1 (``cosm1``)."""
+    """Return Taylor coefficients from d**2 on, three doubles each: ``sinc``, sin(d)/d - 1, or ``cosm1``, cos(d) - 1."""
     offset = {"sinc": 1, "cosm1": 0}[name]
     with mp.workdps(70):
-        return tuple(split((-1) ** k / mp.factorial(2 * k + offset), 2) for k in range(1, count + 1))
+        return tuple(split((-1) ** k / mp.factorial(2 * k + offset), 3) for k in range(1, count + 1))
 
 
 @cache

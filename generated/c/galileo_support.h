@@ -23,7 +23,7 @@
 #define GS_ANGLE_STEPS 64
 #define GS_DEGREE 12
 #define GS_ROW 15
-#define GS_SERIES_TERMS 7
+#define GS_SERIES_TERMS 9
 #define GS_ZERO_EXPONENT (-(1 << 24))    /* of 0: below that of any number, so that sums align on the other operand */
 #define GS_INFINITE_EXPONENT (1 << 20)   /* stands for an infinite argument */
 #define GS_LIMIT (1 << 18)
@@ -52,7 +52,7 @@ typedef struct {
 
 extern const gs_table gs_phi1m_table, gs_phi2m_table, gs_descent_factor_table, gs_flight_factor_table,
     gs_range_factor_table, gs_best_angle_table, gs_wright_omega_table, gs_log1p_table;
-extern const double gs_sinc[GS_SERIES_TERMS][2], gs_cosm1[GS_SERIES_TERMS][2];
+extern const double gs_sinc[GS_SERIES_TERMS][3], gs_cosm1[GS_SERIES_TERMS][3];
 extern const double gs_sine_table[][3], gs_cosine_table[][3];
 extern const double gs_half_pi[4], gs_log_2[3];
 

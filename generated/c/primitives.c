@@ -130,17 +130,23 @@ gs_direction gs_angle(double theta)
     return a;
 }
 
-/* Terms whose sum is (a1 + a2 + a3)(b1 + b2 + b3), to three doubles, times the sign. */
-static void gs_products(double *terms, double sign, const double a[3], const double b[3])
+/* Sums of three doubles. */
+typedef struct {
+    double part[3];
+} gs_triple;
+
+/* Terms whose sum is the product, times the sign. */
+static void gs_products(double terms[9], double sign, gs_triple a, gs_triple b)
 {
-    const gs_pair p = gs_two_prod(a[0], b[0]), q = gs_two_prod(a[0], b[1]), r = gs_two_prod(a[1], b[0]);
-    const double all[9] = {p.hi, p.lo, q.hi, q.lo, r.hi, r.lo, a[0] * b[2], a[1] * b[1], a[2] * b[0]};
+    const double *x = a.part, *y = b.part;
+    const gs_pair p = gs_two_prod(x[0], y[0]), q = gs_two_prod(x[0], y[1]), r = gs_two_prod(x[1], y[0]);
+    const double all[9] = {p.hi, p.lo, q.hi, q.lo, r.hi, r.lo, x[0] * y[2], x[1] * y[1], x[2] * y[0]};
     for (int j = 0; j < 9; j++)
         terms[j] = sign * all[j];
 }
 
 /* Sum of doubles: exact transformations move the rounding errors down before anything is dropped. */
-static gs_pair gs_distil(double *terms, int count)
+static gs_triple gs_sum(double *terms, int count)
 {
     for (int pass = 0; pass < GS_PASSES; pass++)
         for (int j = 1; j < count; j++) {
@@ -148,60 +154,73 @@ static gs_pair gs_distil(double *terms, int count)
             terms[j] = s.hi;
             terms[j - 1] = s.lo;
         }
-    double rest = terms[0];
-    for (int j = 1; j < count - 1; j++)
-        rest += terms[j];
-    return gs_fast_two_sum(terms[count - 1], rest);
+    gs_triple r = {{terms[count - 1], terms[count - 2], terms[0]}};
+    for (int j = 1; j < count - 2; j++)
+        r.part[2] += terms[j];
+    return r;
+}
+
+static void gs_copy(double terms[3], gs_triple a)
+{
+    for (int j = 0; j < 3; j++)
+        terms[j] = a.part[j];
+}
+
+static gs_triple gs_row(const double row[3])
+{
+    const gs_triple r = {{row[0], row[1], row[2]}};
+    return r;
 }
 
 /* q (r1 + q (r2 + ...)) */
-static gs_pair gs_series(const double rows[GS_SERIES_TERMS][2], gs_pair q)
+static gs_triple gs_series(const double rows[GS_SERIES_TERMS][3], gs_triple q)
 {
-    gs_pair sum = {rows[GS_SERIES_TERMS - 1][0], rows[GS_SERIES_TERMS - 1][1]};
+    double terms[12];
+    gs_triple total = gs_row(rows[GS_SERIES_TERMS - 1]);
     for (int k = GS_SERIES_TERMS - 2; k >= 0; k--) {
-        const gs_pair term = {rows[k][0], rows[k][1]};
-        sum = gs_pair_add(gs_pair_mul(sum, q), term);
+        gs_products(terms, 1.0, total, q);
+        gs_copy(terms + 9, gs_row(rows[k]));
+        total = gs_sum(terms, 12);
     }
-    return gs_pair_mul(sum, q);
+    gs_products(terms, 1.0, total, q);
+    return gs_sum(terms, 9);
 }
 
-/* The driving force where cosine and friction nearly cancel, with error about 2^-117 of the cosine: P - mu Q with
- * (P, Q) = (cos, sin) of theta, or (sin, cos) of its complement, developed about the nearest table step. The part
- * linear in d is summed exactly, the rest is small.
+/* The driving force where cosine and friction nearly cancel, with error about 2^-150 of the cosine: P - mu Q with
+ * (P, Q) = (cos, sin) of theta, or (sin, cos) of its complement; dP/dx = turn Q, dQ/dx = -turn P. At a distance d from
+ * the nearest table step it is (P - mu Q) cos(d) + turn (Q + mu P) sin(d), in sums of three doubles.
  */
 static gs_pair gs_close_driving(const gs_direction *a, gs_scaled mu)
 {
-    double d, terms[34];
+    double d, terms[24];
     int k;
     const int i = gs_nearest_step(a->x, &d);
-    const double *P = a->complement ? gs_sine_table[i] : gs_cosine_table[i];
-    const double *Q = a->complement ? gs_cosine_table[i] : gs_sine_table[i];
-    const double turn = a->complement ? 1.0 : -1.0; /* of dP/dx = turn Q, dQ/dx = -turn P */
-    const double m = ldexp(mu.hi, mu.e < 20 ? mu.e : 20); /* larger only where Q = 0 */
+    const gs_triple P = gs_row(a->complement ? gs_sine_table[i] : gs_cosine_table[i]);
+    const gs_triple Q = gs_row(a->complement ? gs_cosine_table[i] : gs_sine_table[i]);
+    const double turn = a->complement ? 1.0 : -1.0;
+    const double m = ldexp(mu.hi, mu.e < 20 ? mu.e : 20); /* less than mu only where Q = 0 */
     const double unit = frexp(d, &k);
-    const gs_pair h = gs_two_prod(mu.hi, unit), lower = gs_two_prod(m, a->x2);
-    const gs_pair rest = gs_two_sum(ldexp(h.lo, mu.e + k), lower.hi);
-    const double md[3] = {ldexp(h.hi, mu.e + k), rest.hi, rest.lo + (lower.lo + m * a->x3)};
-    const double mu_parts[3] = {m, 0.0, 0.0}, d_parts[3] = {d, a->x2, a->x3};
-    const int tiny = fabs(d) < 0x1p-100;
-    const gs_pair z = gs_fast_two_sum(tiny ? 0.0 : d, tiny ? 0.0 : a->x2), q = gs_pair_mul(z, z);
-    const gs_pair p2 = {P[0], P[1]}, q2 = {Q[0], Q[1]}, d2 = {d, a->x2}, md2 = {md[0], md[1]}, m2 = {m, 0.0};
-    const gs_pair held = gs_pair_mul(m2, q2), minus = {-held.hi, -held.lo};
-    const gs_pair drift = gs_pair_add(gs_pair_mul(d2, q2), gs_pair_mul(md2, p2));
-    const gs_pair turned = {turn * drift.hi, turn * drift.lo};
-    const gs_pair bend = gs_pair_mul(gs_pair_add(p2, minus), gs_series(gs_cosm1, q));
-    const gs_pair twist = gs_pair_mul(turned, gs_series(gs_sinc, q));
-    terms[0] = bend.hi;
-    terms[1] = bend.lo;
-    terms[2] = twist.hi;
-    terms[3] = twist.lo;
-    terms[4] = P[0];
-    terms[5] = P[1];
-    terms[6] = P[2];
-    gs_products(terms + 7, -1.0, mu_parts, Q);
-    gs_products(terms + 16, turn, d_parts, Q);
-    gs_products(terms + 25, turn, md, P);
-    return gs_distil(terms, 34);
+    const gs_pair h = gs_two_prod(mu.hi, unit), far = gs_two_prod(m, a->x2);
+    const gs_triple mass = {{m, 0.0, 0.0}}, step = {{d, a->x2, a->x3}};
+    double product[5] = {ldexp(h.hi, mu.e + k), ldexp(h.lo, mu.e + k), far.hi, far.lo, m * a->x3};
+    const gs_triple friction = gs_sum(product, 5); /* mu d */
+    gs_copy(terms, P);
+    gs_products(terms + 3, -1.0, mass, Q);
+    const gs_triple at_step = gs_sum(terms, 12);
+    gs_products(terms, turn, step, Q);
+    gs_products(terms + 9, turn, friction, P);
+    const gs_triple drift = gs_sum(terms, 18);
+    const int small = fabs(d) < 0x1p-100;
+    const gs_triple z = {{small ? 0.0 : d, small ? 0.0 : a->x2, small ? 0.0 : a->x3}};
+    gs_products(terms, 1.0, z, z);
+    const gs_triple q = gs_sum(terms, 9);
+    gs_products(terms, 1.0, at_step, gs_series(gs_cosm1, q));
+    gs_products(terms + 9, 1.0, drift, gs_series(gs_sinc, q));
+    gs_copy(terms + 18, at_step);
+    gs_copy(terms + 21, drift);
+    const gs_triple n = gs_sum(terms, 24);
+    const gs_pair r = {n.part[0], n.part[1]};
+    return r;
 }
 
 /* cos(theta) - mu sin(|theta|), mu >= 0: sign right, pair accurate however much cancels. */

@@ -47,7 +47,7 @@ typedef struct {
 
 extern const gs_table gs_phi1m_table, gs_phi2m_table, gs_descent_factor_table, gs_flight_factor_table,
     gs_range_factor_table, gs_best_angle_table, gs_wright_omega_table, gs_log1p_table;
-extern const double gs_sinc[GS_SERIES_TERMS][2], gs_cosm1[GS_SERIES_TERMS][2];
+extern const double gs_sinc[GS_SERIES_TERMS][3], gs_cosm1[GS_SERIES_TERMS][3];
 extern const double gs_sine_table[][3], gs_cosine_table[][3];
 extern const double gs_half_pi[4], gs_log_2[3];
 

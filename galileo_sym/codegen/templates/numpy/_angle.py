@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ._scaled import Scaled, div, fast_two_sum, load, mul, pair_add, pair_mul, plain, select, sub, two_prod, two_sum
+from ._scaled import Scaled, div, fast_two_sum, load, mul, plain, select, sub, two_prod, two_sum
 from ._tables import ANGLE_STEPS, COSINE, COSM1, HALF_PI, SINC, SINE
 
 _QUARTER_PI = 0.7853981633974483
@@ -71,7 +71,7 @@ def cosine(angle):
 
 
 def _products(a, b):
-    """Terms whose sum is (a1 + a2 + a3)(b1 + b2 + b3), to three doubles."""
+    """Terms whose sum is the product of two sums of three doubles."""
     return [
         *two_prod(a[0], b[0]),
         *two_prod(a[0], b[1]),
@@ -82,52 +82,50 @@ def _products(a, b):
     ]
 
 
-def _distil(terms):
-    """Sum of doubles as a pair: exact transformations move the rounding errors down before anything is dropped."""
+def _triple(terms):
+    """Sum of doubles as three: exact transformations move the rounding errors down before anything is dropped."""
     terms = list(terms)
     for _ in range(_PASSES):
         for j in range(1, len(terms)):
             terms[j], terms[j - 1] = two_sum(terms[j], terms[j - 1])
     rest = terms[0]
-    for term in terms[1:-1]:
+    for term in terms[1:-2]:
         rest = rest + term
-    return fast_two_sum(terms[-1], rest)
+    return [terms[-1], terms[-2], rest]
 
 
 def _series(rows, q):
-    """q (r1 + q (r2 + ...)) in pairs."""
-    hi, lo = rows[-1][0] + 0.0 * q[0], rows[-1][1] + 0.0 * q[0]
-    for head, rest in rows[-2::-1]:
-        hi, lo = pair_add(*pair_mul(hi, lo, *q), head, rest)
-    return pair_mul(hi, lo, *q)
+    """q (r1 + q (r2 + ...))."""
+    total = [part + 0.0 * q[0] for part in rows[-1]]
+    for row in rows[-2::-1]:
+        total = _triple([*_products(total, q), *row])
+    return _triple(_products(total, q))
 
 
 def _close_driving(a, mu):
-    """The driving force where cosine and friction nearly cancel: a pair with error about 2**-117 of the cosine.
+    """The driving force where cosine and friction nearly cancel: a pair with error about 2**-150 of the cosine.
 
-    P - mu Q with (P, Q) = (cos, sin) of theta, or (sin, cos) of its complement, developed about the nearest table
-    step: the part linear in d is summed exactly, the rest is small.
+    P - mu Q with (P, Q) = (cos, sin) of theta, or (sin, cos) of its complement; dP/dx = turn Q, dQ/dx = -turn P. At a
+    distance d from the nearest table step it is (P - mu Q) cos(d) + turn (Q + mu P) sin(d), in sums of three doubles.
     """
     i, d = _nearest_step(a.x)
     sines, cosines = [row[i] for row in SINE], [row[i] for row in COSINE]
     P = [np.where(a.complement, s, c) for s, c in zip(sines, cosines, strict=True)]
     Q = [np.where(a.complement, c, s) for s, c in zip(sines, cosines, strict=True)]
-    turn = np.where(a.complement, 1.0, -1.0)  # of dP/dx = turn Q, dQ/dx = -turn P
-    m = np.ldexp(mu.hi, np.minimum(mu.e, 20))  # larger only where Q = 0
+    turn = np.where(a.complement, 1.0, -1.0)
+    m = np.ldexp(mu.hi, np.minimum(mu.e, 20))  # less than mu only where Q = 0
     unit, k = np.frexp(d)
     h, low = two_prod(mu.hi, unit)
-    md1, rest = np.ldexp(h, mu.e + k), np.ldexp(low, mu.e + k)
-    md2, md3 = two_sum(rest, m * a.x2)
-    md = [md1, md2, md3 + ((two_prod(m, a.x2)[1]) + m * a.x3)]
-    friction = [-t for t in _products([m, 0.0 * m, 0.0 * m], Q)]
-    slope = [turn * t for t in (*_products([d, a.x2, a.x3], Q), *_products(md, P))]
-    z, z2 = fast_two_sum(np.where(np.abs(d) < 2.0**-100, 0.0, d), np.where(np.abs(d) < 2.0**-100, 0.0, a.x2))
-    q = pair_mul(z, z2, z, z2)
-    at_step = pair_add(P[0], P[1], *(-t for t in pair_mul(m, 0.0, Q[0], Q[1])))
-    drift = pair_add(*pair_mul(d, a.x2, Q[0], Q[1]), *pair_mul(md[0], md[1], P[0], P[1]))
-    bend = pair_mul(*at_step, *_series(COSM1, q))
-    twist = pair_mul(turn * drift[0], turn * drift[1], *_series(SINC, q))
-    return _distil([*bend, *twist, *P, *friction, *slope])
+    far, farther = two_prod(m, a.x2)
+    friction = _triple([np.ldexp(h, mu.e + k), np.ldexp(low, mu.e + k), far, farther, m * a.x3])  # mu d
+    at_step = _triple([*P, *(-t for t in _products([m, 0.0 * m, 0.0 * m], Q))])
+    drift = _triple([turn * t for t in (*_products([d, a.x2, a.x3], Q), *_products(friction, P))])
+    small = np.abs(d) < 2.0**-100
+    z = [np.where(small, 0.0, part) for part in (d, a.x2, a.x3)]
+    q = _triple(_products(z, z))
+    bend, twist = _products(at_step, _series(COSM1, q)), _products(drift, _series(SINC, q))
+    hi, lo, _ = _triple([*bend, *twist, *at_step, *drift])
+    return hi, lo
 
 
 def driving(a, mu):

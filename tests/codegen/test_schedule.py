@@ -1,0 +1,72 @@
+"""The plan of a kernel: named steps, nothing twice, operation counts; what cannot be emitted is refused."""
+
+import pytest
+from sympy import Rational, Symbol, gamma
+
+from galileo_sym.catalogue import FUNCTIONS, stable
+from galileo_sym.codegen import schedule as scheduling
+from galileo_sym.codegen.printing import call_text
+from galileo_sym.codegen.schedule import schedule
+
+KERNELS = [(name, force_set) for name, function in FUNCTIONS.items() for force_set in function.variants]
+
+
+def _plan(name, force_set):
+    plan = schedule(FUNCTIONS[name], force_set)
+    return [f"{step} = {call_text(node, '')}" for step, node in plan.steps], [call_text(r, "") for r in plan.results]
+
+
+def test_descent_time_reads_like_the_formula():
+    steps, results = _plan("chord.descent_time", "friction_drag")
+    assert steps == [
+        "a = angle(theta)",
+        "C = cosine(a)",
+        "n = driving(a, mu)",
+        "t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))",
+        "p = mul(gamma, t0)",
+    ]
+    assert results == ["mul(t0, descent_factor(p))"]
+
+
+def test_outputs_share_their_common_factor():
+    steps, results = _plan("chord.position", "drag")
+    assert steps[-2:] == ["shared = mul(mul(fall, C), phi2m(z))", "S = sine(a)"]
+    assert results == ["mul(shared, S)", "mul(shared, C)"]
+
+
+@pytest.mark.parametrize(("name", "force_set"), KERNELS)
+def test_no_name_is_given_twice_and_every_name_is_used(name, force_set):
+    plan = schedule(FUNCTIONS[name], force_set)
+    names = [step for step, _ in plan.steps]
+    assert len(set(names)) == len(names)
+    text = " ".join(str(node) for _, node in plan.steps) + str(plan.results)
+    assert all(f"'{step}'" in text for step in [*names, *plan.loads])
+
+
+@pytest.mark.parametrize(("name", "force_set"), KERNELS)
+def test_a_primitive_is_evaluated_once_for_each_argument(name, force_set):
+    plan = schedule(FUNCTIONS[name], force_set)
+    calls = [
+        call for form in stable(FUNCTIONS[name], force_set) for call in form.atoms(*scheduling.PRIMITIVES.values())
+    ]
+    tables = {call for call in calls if call.func.__name__ != "driving"}
+    assert plan.counts["table"] == len(tables)
+
+
+def test_counts():
+    counts = schedule(FUNCTIONS["chord.descent_time"], "friction_drag").counts
+    assert counts == {"sine and cosine": 1, "driving force": 1, "sqrt": 1, "div": 2, "mul": 3, "table": 1}
+
+
+@pytest.mark.parametrize("form", [gamma(Symbol("g", positive=True)), Symbol("g", positive=True) + Rational(1, 3)])
+def test_what_has_no_scaled_operation_is_refused(monkeypatch, form):
+    monkeypatch.setattr(scheduling, "stable", lambda function, force_set: (form,))
+    with pytest.raises(TypeError, match=r"no emitted function|not a double"):
+        schedule(FUNCTIONS["chord.descent_time"], "free")
+
+
+def test_rational_coefficients(monkeypatch):
+    g = Symbol("g", positive=True)
+    monkeypatch.setattr(scheduling, "stable", lambda function, force_set: (Rational(6, 5) * g,))
+    plan = schedule(FUNCTIONS["chord.descent_time"], "free")
+    assert call_text(plan.results[0], "") == "scale(div(mul(constant(3.0), g), constant(5.0)), 1)"
