@@ -28,12 +28,13 @@ def descent_time_free(theta, diameter, g):
         (g, "positive"),
     )
     theta, diameter, g = arguments
+    undecided_time = clash((diameter,), (g,))
     with quiet():
-        D_ = load(diameter)
-        g_ = load(g)
-        t0 = sqrt(scale(div(D_, g_), 1))
-        time_ = t0
-    return settle(time_, void, clash((diameter,), (g,)))
+        D = load(diameter)
+        g = load(g)
+        t0 = sqrt(scale(div(D, g), 1))
+        time = t0
+    return settle(time, void, undecided_time)
 
 
 def descent_time_friction(theta, diameter, g, mu):
@@ -57,17 +58,18 @@ def descent_time_friction(theta, diameter, g, mu):
         (mu, "nonnegative"),
     )
     theta, diameter, g, mu = arguments
+    undecided_time = clash((diameter,), (g,))
     with quiet():
-        D_ = load(diameter)
-        g_ = load(g)
-        mu_ = load(mu)
+        D = load(diameter)
+        g = load(g)
+        mu = load(mu)
         a = angle(theta)
         C = cosine(a)
-        n = driving(a, mu_)
+        n = driving(a, mu)
         n, rest = moving(n)
-        t0 = sqrt(scale(div(mul(D_, div(C, n)), g_), 1))
-        time_ = t0
-    return settle(time_, void, clash((diameter,), (g,)), rest=rest, at_rest=inf)
+        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+        time = t0
+    return settle(time, void, undecided_time, rest=rest, at_rest=inf)
 
 
 def descent_time_drag(theta, diameter, g, gamma):
@@ -91,14 +93,15 @@ def descent_time_drag(theta, diameter, g, gamma):
         (gamma, "nonnegative"),
     )
     theta, diameter, g, gamma = arguments
+    undecided_time = clash((diameter, gamma), (g,))
     with quiet():
-        D_ = load(diameter)
-        g_ = load(g)
-        gamma_ = load(gamma)
-        t0 = sqrt(scale(div(D_, g_), 1))
-        p = mul(gamma_, t0)
-        time_ = mul(t0, descent_factor(p))
-    return settle(time_, void, clash((diameter, gamma,), (g,)))
+        D = load(diameter)
+        g = load(g)
+        gamma = load(gamma)
+        t0 = sqrt(scale(div(D, g), 1))
+        p = mul(gamma, t0)
+        time = mul(t0, descent_factor(p))
+    return settle(time, void, undecided_time)
 
 
 def descent_time_friction_drag(theta, diameter, g, mu, gamma):
@@ -124,19 +127,20 @@ def descent_time_friction_drag(theta, diameter, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     theta, diameter, g, mu, gamma = arguments
+    undecided_time = clash((diameter, gamma), (g,))
     with quiet():
-        D_ = load(diameter)
-        g_ = load(g)
-        mu_ = load(mu)
-        gamma_ = load(gamma)
+        D = load(diameter)
+        g = load(g)
+        mu = load(mu)
+        gamma = load(gamma)
         a = angle(theta)
         C = cosine(a)
-        n = driving(a, mu_)
+        n = driving(a, mu)
         n, rest = moving(n)
-        t0 = sqrt(scale(div(mul(D_, div(C, n)), g_), 1))
-        p = mul(gamma_, t0)
-        time_ = mul(t0, descent_factor(p))
-    return settle(time_, void, clash((diameter, gamma,), (g,)), rest=rest, at_rest=inf)
+        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+        p = mul(gamma, t0)
+        time = mul(t0, descent_factor(p))
+    return settle(time, void, undecided_time, rest=rest, at_rest=inf)
 
 
 def distance_free(t, theta, g):
@@ -159,13 +163,13 @@ def distance_free(t, theta, g):
     )
     t, theta, g = arguments
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        fall = mul(mul(t_, t_), g_)
+        t = load(t)
+        g = load(g)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
         C = cosine(a)
-        distance_ = scale(mul(fall, C), -1)
-    return settle(distance_, void)
+        distance = scale(mul(fall, C), -1)
+    return settle(distance, void)
 
 
 def distance_friction(t, theta, g, mu):
@@ -190,15 +194,15 @@ def distance_friction(t, theta, g, mu):
     )
     t, theta, g, mu = arguments
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        mu_ = load(mu)
-        fall = mul(mul(t_, t_), g_)
+        t = load(t)
+        g = load(g)
+        mu = load(mu)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
-        n = driving(a, mu_)
+        n = driving(a, mu)
         n, rest = moving(n)
-        distance_ = scale(mul(fall, n), -1)
-    return settle(distance_, void, rest=rest, at_rest=0.0)
+        distance = scale(mul(fall, n), -1)
+    return settle(distance, void, rest=rest, at_rest=0.0)
 
 
 def distance_drag(t, theta, g, gamma):
@@ -222,16 +226,17 @@ def distance_drag(t, theta, g, gamma):
         (gamma, "nonnegative"),
     )
     t, theta, g, gamma = arguments
+    undecided_distance = clash((t, g), (gamma,))
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        gamma_ = load(gamma)
-        fall = mul(mul(t_, t_), g_)
+        t = load(t)
+        g = load(g)
+        gamma = load(gamma)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
         C = cosine(a)
-        z = mul(t_, gamma_)
-        distance_ = mul(mul(fall, C), phi2m(z))
-    return settle(distance_, void, clash((t, g,), (gamma,)))
+        z = mul(t, gamma)
+        distance = mul(mul(fall, C), phi2m(z))
+    return settle(distance, void, undecided_distance)
 
 
 def distance_friction_drag(t, theta, g, mu, gamma):
@@ -257,18 +262,19 @@ def distance_friction_drag(t, theta, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     t, theta, g, mu, gamma = arguments
+    undecided_distance = clash((t, g), (gamma,))
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        mu_ = load(mu)
-        gamma_ = load(gamma)
-        fall = mul(mul(t_, t_), g_)
+        t = load(t)
+        g = load(g)
+        mu = load(mu)
+        gamma = load(gamma)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
-        n = driving(a, mu_)
+        n = driving(a, mu)
         n, rest = moving(n)
-        z = mul(t_, gamma_)
-        distance_ = mul(mul(fall, n), phi2m(z))
-    return settle(distance_, void, clash((t, g,), (gamma,)), rest=rest, at_rest=0.0)
+        z = mul(t, gamma)
+        distance = mul(mul(fall, n), phi2m(z))
+    return settle(distance, void, undecided_distance, rest=rest, at_rest=0.0)
 
 
 def position_free(t, theta, g):
@@ -292,18 +298,18 @@ def position_free(t, theta, g):
     )
     t, theta, g = arguments
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        fall = mul(mul(t_, t_), g_)
+        t = load(t)
+        g = load(g)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
         C = cosine(a)
         shared = mul(fall, C)
         S = sine(a)
-        x_ = scale(mul(shared, S), -1)
-        y_ = scale(mul(shared, C), -1)
+        x = scale(mul(shared, S), -1)
+        y = scale(mul(shared, C), -1)
     return (
-        settle(x_, void),
-        settle(y_, void),
+        settle(x, void),
+        settle(y, void),
     )
 
 
@@ -330,21 +336,21 @@ def position_friction(t, theta, g, mu):
     )
     t, theta, g, mu = arguments
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        mu_ = load(mu)
-        fall = mul(mul(t_, t_), g_)
+        t = load(t)
+        g = load(g)
+        mu = load(mu)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
-        n = driving(a, mu_)
+        n = driving(a, mu)
         n, rest = moving(n)
         shared = mul(fall, n)
         S = sine(a)
         C = cosine(a)
-        x_ = scale(mul(shared, S), -1)
-        y_ = scale(mul(shared, C), -1)
+        x = scale(mul(shared, S), -1)
+        y = scale(mul(shared, C), -1)
     return (
-        settle(x_, void, rest=rest, at_rest=0.0),
-        settle(y_, void, rest=rest, at_rest=0.0),
+        settle(x, void, rest=rest, at_rest=0.0),
+        settle(y, void, rest=rest, at_rest=0.0),
     )
 
 
@@ -370,21 +376,22 @@ def position_drag(t, theta, g, gamma):
         (gamma, "nonnegative"),
     )
     t, theta, g, gamma = arguments
+    undecided_x = clash((t, g), (gamma,))
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        gamma_ = load(gamma)
-        fall = mul(mul(t_, t_), g_)
+        t = load(t)
+        g = load(g)
+        gamma = load(gamma)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
         C = cosine(a)
-        z = mul(t_, gamma_)
+        z = mul(t, gamma)
         shared = mul(mul(fall, C), phi2m(z))
         S = sine(a)
-        x_ = mul(shared, S)
-        y_ = mul(shared, C)
+        x = mul(shared, S)
+        y = mul(shared, C)
     return (
-        settle(x_, void, clash((t, g,), (gamma,))),
-        settle(y_, void, clash((t, g,), (gamma,))),
+        settle(x, void, undecided_x),
+        settle(y, void, undecided_x),
     )
 
 
@@ -412,24 +419,25 @@ def position_friction_drag(t, theta, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     t, theta, g, mu, gamma = arguments
+    undecided_x = clash((t, g), (gamma,))
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        mu_ = load(mu)
-        gamma_ = load(gamma)
-        fall = mul(mul(t_, t_), g_)
+        t = load(t)
+        g = load(g)
+        mu = load(mu)
+        gamma = load(gamma)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
-        n = driving(a, mu_)
+        n = driving(a, mu)
         n, rest = moving(n)
-        z = mul(t_, gamma_)
+        z = mul(t, gamma)
         shared = mul(mul(fall, n), phi2m(z))
         S = sine(a)
         C = cosine(a)
-        x_ = mul(shared, S)
-        y_ = mul(shared, C)
+        x = mul(shared, S)
+        y = mul(shared, C)
     return (
-        settle(x_, void, clash((t, g,), (gamma,)), rest=rest, at_rest=0.0),
-        settle(y_, void, clash((t, g,), (gamma,)), rest=rest, at_rest=0.0),
+        settle(x, void, undecided_x, rest=rest, at_rest=0.0),
+        settle(y, void, undecided_x, rest=rest, at_rest=0.0),
     )
 
 
@@ -453,16 +461,16 @@ def synchronous_circle_free(t, g):
     )
     t, g = arguments
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        fall = mul(mul(t_, t_), g_)
-        X_ = constant(0.0)
-        Y_ = scale(fall, -2)
-        R_ = scale(fall, -2)
+        t = load(t)
+        g = load(g)
+        fall = mul(mul(t, t), g)
+        X = constant(0.0)
+        Y = scale(fall, -2)
+        R = scale(fall, -2)
     return (
-        settle(X_, void),
-        settle(Y_, void),
-        settle(R_, void),
+        settle(X, void),
+        settle(Y, void),
+        settle(R, void),
     )
 
 
@@ -488,17 +496,17 @@ def synchronous_circle_friction(t, g, mu):
     )
     t, g, mu = arguments
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        mu_ = load(mu)
-        fall = mul(mul(t_, t_), g_)
-        X_ = scale(mul(mu_, fall), -2)
-        Y_ = scale(fall, -2)
-        R_ = mul(sqrt(add(constant(1.0), mul(mu_, mu_))), scale(fall, -2))
+        t = load(t)
+        g = load(g)
+        mu = load(mu)
+        fall = mul(mul(t, t), g)
+        X = scale(mul(mu, fall), -2)
+        Y = scale(fall, -2)
+        R = mul(sqrt(add(constant(1.0), mul(mu, mu))), scale(fall, -2))
     return (
-        settle(X_, void),
-        settle(Y_, void),
-        settle(R_, void),
+        settle(X, void),
+        settle(Y, void),
+        settle(R, void),
     )
 
 
@@ -523,20 +531,21 @@ def synchronous_circle_drag(t, g, gamma):
         (gamma, "nonnegative"),
     )
     t, g, gamma = arguments
+    undecided_X = clash((t, g), (gamma,))
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        gamma_ = load(gamma)
-        fall = mul(mul(t_, t_), g_)
-        z = mul(t_, gamma_)
+        t = load(t)
+        g = load(g)
+        gamma = load(gamma)
+        fall = mul(mul(t, t), g)
+        z = mul(t, gamma)
         shared = mul(fall, phi2m(z))
-        X_ = constant(0.0)
-        Y_ = scale(shared, -1)
-        R_ = scale(shared, -1)
+        X = constant(0.0)
+        Y = scale(shared, -1)
+        R = scale(shared, -1)
     return (
-        settle(X_, void, clash((t, g,), (gamma,))),
-        settle(Y_, void, clash((t, g,), (gamma,))),
-        settle(R_, void, clash((t, g,), (gamma,))),
+        settle(X, void, undecided_X),
+        settle(Y, void, undecided_X),
+        settle(R, void, undecided_X),
     )
 
 
@@ -563,28 +572,66 @@ def synchronous_circle_friction_drag(t, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     t, g, mu, gamma = arguments
+    undecided_X = clash((t, g, mu), (gamma,))
+    undecided_Y = clash((t, g), (gamma,))
     with quiet():
-        t_ = load(t)
-        g_ = load(g)
-        mu_ = load(mu)
-        gamma_ = load(gamma)
-        fall = mul(mul(t_, t_), g_)
-        z = mul(t_, gamma_)
+        t = load(t)
+        g = load(g)
+        mu = load(mu)
+        gamma = load(gamma)
+        fall = mul(mul(t, t), g)
+        z = mul(t, gamma)
         shared = mul(fall, phi2m(z))
-        X_ = scale(mul(mu_, shared), -1)
-        Y_ = scale(shared, -1)
-        R_ = mul(sqrt(add(constant(1.0), mul(mu_, mu_))), scale(shared, -1))
+        X = scale(mul(mu, shared), -1)
+        Y = scale(shared, -1)
+        R = mul(sqrt(add(constant(1.0), mul(mu, mu))), scale(shared, -1))
     return (
-        settle(X_, void, clash((t, g, mu,), (gamma,))),
-        settle(Y_, void, clash((t, g,), (gamma,))),
-        settle(R_, void, clash((t, g, mu,), (gamma,))),
+        settle(X, void, undecided_X),
+        settle(Y, void, undecided_Y),
+        settle(R, void, undecided_X),
     )
 
 
 # Number of outputs, index of the angle among the arguments, and the kernel for each set of force arguments.
 FUNCTIONS = {
-    "descent_time": {"outputs": 1, "angle": 0, "kernels": {(): descent_time_free, ('mu',): descent_time_friction, ('gamma',): descent_time_drag, ('mu', 'gamma'): descent_time_friction_drag}},
-    "distance": {"outputs": 1, "angle": 1, "kernels": {(): distance_free, ('mu',): distance_friction, ('gamma',): distance_drag, ('mu', 'gamma'): distance_friction_drag}},
-    "position": {"outputs": 2, "angle": 1, "kernels": {(): position_free, ('mu',): position_friction, ('gamma',): position_drag, ('mu', 'gamma'): position_friction_drag}},
-    "synchronous_circle": {"outputs": 3, "angle": None, "kernels": {(): synchronous_circle_free, ('mu',): synchronous_circle_friction, ('gamma',): synchronous_circle_drag, ('mu', 'gamma'): synchronous_circle_friction_drag}},
+    "descent_time": {
+        "outputs": 1,
+        "angle": 0,
+        "kernels": {
+            (): descent_time_free,
+            ('mu',): descent_time_friction,
+            ('gamma',): descent_time_drag,
+            ('mu', 'gamma'): descent_time_friction_drag,
+        },
+    },
+    "distance": {
+        "outputs": 1,
+        "angle": 1,
+        "kernels": {
+            (): distance_free,
+            ('mu',): distance_friction,
+            ('gamma',): distance_drag,
+            ('mu', 'gamma'): distance_friction_drag,
+        },
+    },
+    "position": {
+        "outputs": 2,
+        "angle": 1,
+        "kernels": {
+            (): position_free,
+            ('mu',): position_friction,
+            ('gamma',): position_drag,
+            ('mu', 'gamma'): position_friction_drag,
+        },
+    },
+    "synchronous_circle": {
+        "outputs": 3,
+        "angle": None,
+        "kernels": {
+            (): synchronous_circle_free,
+            ('mu',): synchronous_circle_friction,
+            ('gamma',): synchronous_circle_drag,
+            ('mu', 'gamma'): synchronous_circle_friction_drag,
+        },
+    },
 }

@@ -26,14 +26,15 @@ def flight_time_free(theta, v, g):
         (g, "positive"),
     )
     theta, v, g = arguments
+    undecided_time = clash((v,), (g,))
     with quiet():
-        v_ = load(v)
-        g_ = load(g)
+        v = load(v)
+        g = load(g)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v_, S), g_)
-        time_ = scale(rise, 1)
-    return settle(time_, void, clash((v,), (g,)))
+        rise = div(mul(v, S), g)
+        time = scale(rise, 1)
+    return settle(time, void, undecided_time)
 
 
 def flight_time_drag(theta, v, g, k):
@@ -57,16 +58,17 @@ def flight_time_drag(theta, v, g, k):
         (k, "nonnegative"),
     )
     theta, v, g, k = arguments
+    undecided_time = clash((v,), (g,))
     with quiet():
-        v_ = load(v)
-        g_ = load(g)
-        k_ = load(k)
+        v = load(v)
+        g = load(g)
+        k = load(k)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v_, S), g_)
-        b = mul(k_, rise)
-        time_ = scale(mul(rise, flight_factor(b)), 1)
-    return settle(time_, void, clash((v,), (g,)))
+        rise = div(mul(v, S), g)
+        b = mul(k, rise)
+        time = scale(mul(rise, flight_factor(b)), 1)
+    return settle(time, void, undecided_time)
 
 
 def horizontal_range_free(theta, v, g):
@@ -88,15 +90,16 @@ def horizontal_range_free(theta, v, g):
         (g, "positive"),
     )
     theta, v, g = arguments
+    undecided_range = clash((v,), (g,))
     with quiet():
-        v_ = load(v)
-        g_ = load(g)
+        v = load(v)
+        g = load(g)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v_, S), g_)
+        rise = div(mul(v, S), g)
         C = cosine(a)
-        range_ = scale(mul(mul(v_, rise), C), 1)
-    return settle(range_, void, clash((v,), (g,)))
+        range = scale(mul(mul(v, rise), C), 1)
+    return settle(range, void, undecided_range)
 
 
 def horizontal_range_drag(theta, v, g, k):
@@ -120,17 +123,18 @@ def horizontal_range_drag(theta, v, g, k):
         (k, "nonnegative"),
     )
     theta, v, g, k = arguments
+    undecided_range = clash((v,), (g, k))
     with quiet():
-        v_ = load(v)
-        g_ = load(g)
-        k_ = load(k)
+        v = load(v)
+        g = load(g)
+        k = load(k)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v_, S), g_)
+        rise = div(mul(v, S), g)
         C = cosine(a)
-        b = mul(k_, rise)
-        range_ = scale(mul(mul(mul(v_, rise), C), range_factor(b)), 1)
-    return settle(range_, void, clash((v,), (g, k,)))
+        b = mul(k, rise)
+        range = scale(mul(mul(mul(v, rise), C), range_factor(b)), 1)
+    return settle(range, void, undecided_range)
 
 
 def position_free(t, theta, v, g):
@@ -155,20 +159,21 @@ def position_free(t, theta, v, g):
         (g, "positive"),
     )
     t, theta, v, g = arguments
+    undecided_y = clash((v,), (t, g))
     with quiet():
-        t_ = load(t)
-        v_ = load(v)
-        g_ = load(g)
-        reach = mul(t_, v_)
+        t = load(t)
+        v = load(v)
+        g = load(g)
+        reach = mul(t, v)
         a = angle(theta)
         C = cosine(a)
         S = sine(a)
-        fall = mul(mul(t_, t_), g_)
-        x_ = mul(reach, C)
-        y_ = sub(mul(reach, S), scale(fall, -1))
+        fall = mul(mul(t, t), g)
+        x = mul(reach, C)
+        y = sub(mul(reach, S), scale(fall, -1))
     return (
-        settle(x_, void),
-        settle(y_, void, clash((v,), (t, g,))),
+        settle(x, void),
+        settle(y, void, undecided_y),
     )
 
 
@@ -196,22 +201,24 @@ def position_drag(t, theta, v, g, k):
         (k, "nonnegative"),
     )
     t, theta, v, g, k = arguments
+    undecided_x = clash((v,), (k,))
+    undecided_y = clash((v,), (t, g), (k,))
     with quiet():
-        t_ = load(t)
-        v_ = load(v)
-        g_ = load(g)
-        k_ = load(k)
-        z = mul(t_, k_)
-        reach = mul(mul(t_, v_), phi1m(z))
+        t = load(t)
+        v = load(v)
+        g = load(g)
+        k = load(k)
+        z = mul(t, k)
+        reach = mul(mul(t, v), phi1m(z))
         a = angle(theta)
         C = cosine(a)
         S = sine(a)
-        fall = mul(mul(t_, t_), g_)
-        x_ = mul(reach, C)
-        y_ = sub(mul(reach, S), mul(fall, phi2m(z)))
+        fall = mul(mul(t, t), g)
+        x = mul(reach, C)
+        y = sub(mul(reach, S), mul(fall, phi2m(z)))
     return (
-        settle(x_, void, clash((v,), (k,))),
-        settle(y_, void, clash((v,), (t, g,), (k,))),
+        settle(x, void, undecided_x),
+        settle(y, void, undecided_y),
     )
 
 
@@ -231,15 +238,42 @@ def best_angle(alpha):
     )
     alpha, = arguments
     with quiet():
-        alpha_ = load(alpha)
-        angle_ = best_elevation(alpha_)
-    return settle(angle_, void)
+        alpha = load(alpha)
+        angle = best_elevation(alpha)
+    return settle(angle, void)
 
 
 # Number of outputs, index of the angle among the arguments, and the kernel for each set of force arguments.
 FUNCTIONS = {
-    "flight_time": {"outputs": 1, "angle": 0, "kernels": {(): flight_time_free, ('k',): flight_time_drag}},
-    "horizontal_range": {"outputs": 1, "angle": 0, "kernels": {(): horizontal_range_free, ('k',): horizontal_range_drag}},
-    "position": {"outputs": 2, "angle": 1, "kernels": {(): position_free, ('k',): position_drag}},
-    "best_angle": {"outputs": 1, "angle": None, "kernels": {(): best_angle}},
+    "flight_time": {
+        "outputs": 1,
+        "angle": 0,
+        "kernels": {
+            (): flight_time_free,
+            ('k',): flight_time_drag,
+        },
+    },
+    "horizontal_range": {
+        "outputs": 1,
+        "angle": 0,
+        "kernels": {
+            (): horizontal_range_free,
+            ('k',): horizontal_range_drag,
+        },
+    },
+    "position": {
+        "outputs": 2,
+        "angle": 1,
+        "kernels": {
+            (): position_free,
+            ('k',): position_drag,
+        },
+    },
+    "best_angle": {
+        "outputs": 1,
+        "angle": None,
+        "kernels": {
+            (): best_angle,
+        },
+    },
 }

@@ -24,15 +24,26 @@ def _docstring(function, force_set, plan):
     )
 
 
-def _settle(function, force_set, output, node, held):
-    options = []
-    groups = clash_groups(function, force_set, output)
-    if groups:
-        options.append(f"clash({', '.join('(' + ''.join(n + ', ' for n in g).rstrip() + ')' for g in groups)})")
+def _clash_text(groups):
+    return f"clash({', '.join('(' + ', '.join(group) + ',' * (len(group) == 1) + ')' for group in groups)})"
+
+
+def _undecided(function, force_set):
+    """Name for each distinct set of clashing groups, and the outputs' names for theirs (None: always decided)."""
+    groups = [clash_groups(function, force_set, output) for output in function.outputs]
+    texts = [_clash_text(g) if g else None for g in groups]
+    names = {}
+    for output, text in zip(function.outputs, texts, strict=True):
+        if text:
+            names.setdefault(text, f"undecided_{output.name}")
+    return names, [names.get(text) for text in texts]
+
+
+def _settle(output, undecided, held):
+    options = [output.name, "void"] + ([undecided] if undecided else [])
     if held:
-        limit = "inf" if output.at_rest == float("inf") else repr(output.at_rest)
-        options += ["rest=rest", f"at_rest={limit}"]
-    return f"settle({', '.join([output.name + '_', 'void', *options])})"
+        options += ["rest=rest", f"at_rest={'inf' if output.at_rest == float('inf') else repr(output.at_rest)}"]
+    return f"settle({', '.join(options)})"
 
 
 def kernel(function, force_set):
@@ -54,6 +65,7 @@ def kernel(function, force_set):
     arguments = function.arguments(force_set)
     names = [a.name for a in arguments]
     symbols = {a.symbol: a.name for a in arguments}
+    clashes, undecided = _undecided(function, force_set)
     lines = [
         f"def {_kernel_name(function, force_set)}({', '.join(names)}):",
         _docstring(function, force_set, plan).rstrip("\n"),
@@ -61,18 +73,16 @@ def kernel(function, force_set):
         *(f'        ({a.name}, "{a.domain}"),' for a in arguments),
         "    )",
         f"    {', '.join(names)}{',' * (len(names) == 1)} = arguments",
+        *(f"    {name} = {text}" for text, name in clashes.items()),
         "    with quiet():",
+        *(f"        {s} = load({symbols[s]})" for s in plan.loads),
     ]
-    body = [f"{s}_ = load({symbols[s]})" for s in plan.loads]
-    lines += [f"        {line}" for line in body]
-    rename = {s: f"{s}_" for s in plan.loads}
     for name, node in plan.steps:
-        lines.append(f"        {name} = {call_text(_renamed(node, rename), '')}")
+        lines.append(f"        {name} = {call_text(node, '')}")
         if node[0] == "driving":
             lines.append(f"        {name}, rest = moving({name})")
-    for output, node in zip(function.outputs, plan.results, strict=True):
-        lines.append(f"        {output.name}_ = {call_text(_renamed(node, rename), '')}")
-    settled = [_settle(function, force_set, o, n, held) for o, n in zip(function.outputs, plan.results, strict=True)]
+    lines += [f"        {o.name} = {call_text(n, '')}" for o, n in zip(function.outputs, plan.results, strict=True)]
+    settled = [_settle(o, u, held) for o, u in zip(function.outputs, undecided, strict=True)]
     if len(settled) == 1:
         lines.append(f"    return {settled[0]}")
     else:
@@ -80,20 +90,18 @@ def kernel(function, force_set):
     return "\n".join(lines) + "\n"
 
 
-def _renamed(node, names):
-    if isinstance(node, tuple):
-        return (node[0], *(_renamed(operand, names) for operand in node[1:]))
-    return names.get(node, node)
-
-
 def _dispatch(function):
     """Table row: which kernel serves which force arguments, and which argument is an angle."""
-    angle = [a.name.endswith("theta") for a in function.arguments(next(iter(function.variants)))]
-    rows = ", ".join(
-        f"{names!r}: {_kernel_name(function, force_set)}" for force_set, (names, _) in function.variants.items()
+    angle = [a.unit == "rad" for a in function.arguments(next(iter(function.variants)))]
+    rows = "".join(
+        f"            {names!r}: {_kernel_name(function, force_set)},\n"
+        for force_set, (names, _) in function.variants.items()
     )
     index = angle.index(True) if True in angle else None
-    return f'    "{function.name}": {{"outputs": {len(function.outputs)}, "angle": {index}, "kernels": {{{rows}}}}},\n'
+    return (
+        f'    "{function.name}": {{\n        "outputs": {len(function.outputs)},\n        "angle": {index},\n'
+        f'        "kernels": {{\n{rows}        }},\n    }},\n'
+    )
 
 
 def module(paper):
