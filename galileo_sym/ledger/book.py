@@ -10,6 +10,7 @@ from functools import cached_property
 
 from .check import environment, judge, refutation, run
 from .compare import compare
+from .parallel import verdicts_of
 from .statement import Chapter, Declaration
 from .verdict import Kind, Verdict
 
@@ -94,11 +95,16 @@ class Entry:
         return environment(self.declaration, self._outcome, {i: self._ledger[i].result for i in self.premises})
 
     @cached_property
+    def own_verdict(self) -> Verdict:
+        """The verdict with the premises taken as true."""
+        return judge(self.declaration, self._outcome, {i: self._ledger[i].result for i in self.premises})
+
+    @cached_property
     def verdict(self) -> Verdict:
         """proved, certified, checked, refuted, vacuous, error, law or definition."""
-        premises = {i: self._ledger[i].result for i in self.premises}
         verdicts = {i: self._ledger[i].verdict for i in self.premises}
-        return judge(self.declaration, self._outcome, premises, verdicts)
+        shaky = [f"{i} is {v.kind.value}" for i, v in verdicts.items() if not v.kind.sound]
+        return Verdict(Kind.ERROR, "; ".join(shaky), self.own_verdict.seconds) if shaky else self.own_verdict
 
     @property
     def erratum(self):
@@ -131,6 +137,8 @@ class Entry:
 class Ledger(Mapping):
     """All entries by id, in the order of the chapters. `Ledger.load()` reads the chapters and derives nothing."""
 
+    package: str | None = None  # where it was loaded from, for worker processes to do the same
+
     def __init__(self, chapters: list[Chapter]):
         self.chapters = {c.name: c for c in chapters}
         self._entries = {i: Entry(d, self, c) for c in chapters for i, d in c.declarations.items()}
@@ -148,7 +156,9 @@ class Ledger(Mapping):
     @classmethod
     def load(cls, package: str = "galileo_sym.derivations") -> Ledger:
         """Read every chapter below a package."""
-        return cls(_chapters(package))
+        made = cls(_chapters(package))
+        made.package = package
+        return made
 
     def __getitem__(self, identifier: str) -> Entry:
         try:
@@ -170,6 +180,32 @@ class Ledger(Mapping):
         for name in names:
             chosen |= {e.id: e for e in self._named(name)}
         return list(chosen.values())
+
+    def judge(self, entries: list[Entry], processes: int = 1, progress=None) -> None:
+        """Bring about the verdicts of some entries, and of all they are derived from.
+
+        Parameters
+        ----------
+        processes : int
+            Entries are independent once their premises are taken as true, so they can be tried in parallel.
+        progress : callable, optional
+            Called with (done, total, id) as verdicts come in.
+        """
+        todo = [e for e in self._with_premises(entries) if "own_verdict" not in vars(e)]
+        for done, (identifier, verdict) in enumerate(verdicts_of([e.id for e in todo], processes, self), 1):
+            vars(self[identifier])["own_verdict"] = verdict
+            if progress:
+                progress(done, len(todo), identifier)
+
+    def _with_premises(self, entries):
+        found: dict[str, Entry] = {}
+        waiting = list(entries)
+        while waiting:
+            entry = waiting.pop()
+            if entry.id not in found:
+                found[entry.id] = entry
+                waiting += [self[i] for i in entry.premises]
+        return [e for e in self._entries.values() if e.id in found]
 
     def _named(self, name):
         if name in self._entries:

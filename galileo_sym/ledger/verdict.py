@@ -53,6 +53,10 @@ class Verdict:
         if self.counterexample is not None:
             object.__setattr__(self, "counterexample", MappingProxyType(dict(self.counterexample)))
 
+    def __reduce__(self):
+        """Pickle the counterexample as a plain dict: verdicts come back from worker processes."""
+        return Verdict, (self.kind, self.method, self.seconds, self.counterexample and dict(self.counterexample))
+
     @property
     def holds(self) -> bool:
         """True for proved, certified, law and definition."""
