@@ -23,14 +23,12 @@ class Untestable(ValueError):
 
 def value(expr, point, digits):
     """The value of an expression at a point, as an mpmath number computed with `digits` digits."""
-    expr = _plug_limits(sp.sympify(expr), point, digits)
-    symbols = sorted(expr.free_symbols, key=lambda s: s.name)
-    missing = [s for s in symbols if s not in point] + list(expr.atoms(AppliedUndef))
+    symbols, unknown, function = _compiled(_plug_limits(sp.sympify(expr), point, digits))
+    missing = [*(s for s in symbols if s not in point), *unknown]
     if missing:
         raise Untestable(f"no value for {', '.join(map(str, missing))} in {expr}")
     with mp.workdps(digits):
-        numbers = [_number(point[s], digits) for s in symbols]
-        return mp.mpmathify(_compiled(tuple(symbols), expr)(*numbers))
+        return mp.mpmathify(function(*(_number(point[s], digits) for s in symbols)))
 
 
 @functools.lru_cache(maxsize=4096)
@@ -40,14 +38,14 @@ def _number(exact, digits):
     return mp.mpmathify(sp.N(exact, digits + 5))
 
 
-_CACHE: dict = {}
-
-
-def _compiled(symbols, expr):
-    key = (symbols, expr)
-    if key not in _CACHE:
-        _CACHE[key] = sp.lambdify(symbols, expr, modules=[_extra_functions(expr), "mpmath"])
-    return _CACHE[key]
+@functools.lru_cache(maxsize=4096)
+def _compiled(expr):
+    """The symbols of an expression, its unknown functions, and a function of the symbols' values."""
+    symbols = tuple(sorted(expr.free_symbols, key=lambda s: s.name))
+    unknown = tuple(expr.atoms(AppliedUndef))
+    # common parts are computed once, but not those of a branch that is not taken
+    together = not expr.has(sp.Piecewise)
+    return symbols, unknown, sp.lambdify(symbols, expr, modules=[_extra_functions(expr), "mpmath"], cse=together)
 
 
 def _extra_functions(expr):
@@ -57,6 +55,8 @@ def _extra_functions(expr):
 
 def _plug_limits(expr, point, digits):
     """Replace every Limit by its value very near the point; the distance is 10^-digits/4."""
+    if not expr.has(sp.Limit):
+        return expr
     for limit in [e for e in sp.preorder_traversal(expr) if isinstance(e, sp.Limit)]:
         f, x, at, direction = limit.args
         expr = expr.xreplace({limit: _near(f, x, at, str(direction), point, digits)})
@@ -82,11 +82,13 @@ def holds(statement, point) -> bool:
     if isinstance(statement, OneSignChange):
         return statement.signs_of(lambda f, x, at: sign(f, _bind(point, {x: at})))
     if isinstance(statement, Claim):
-        return all(holds(part, _bind(point, values)) for part, values in statement.trials())
+        return all(holds(part, _bind(point, values)) for part, values in _trials(statement))
     if isinstance(statement, Relational):
         return _relation(statement, point)
     if isinstance(statement, sp.Not):
         return not holds(statement.args[0], point)
+    if isinstance(statement, sp.Or):  # equations last: to find two numbers different takes every precision
+        return any(holds(a, point) for a in sorted(statement.args, key=lambda a: isinstance(a, sp.Eq)))
     if isinstance(statement, BooleanFunction):
         parts = [holds(a, point) for a in statement.args]
         return bool(statement.func(*map(sp.sympify, parts)))
@@ -95,7 +97,8 @@ def holds(statement, point) -> bool:
 
 def _bind(point, values):
     """The point with the variables of a claim added; their values may depend on the point."""
-    return {**point, **{x: sp.sympify(v).subs(point) for x, v in values.items()}}
+    given = {x: sp.sympify(v) for x, v in values.items()}
+    return {**point, **{x: v if v.is_number else v.subs(point) for x, v in given.items()}}
 
 
 def sign(expr, point) -> int:

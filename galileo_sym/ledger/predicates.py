@@ -70,6 +70,15 @@ class Monotone(Claim):
         return [(ordered, {FIRST: a, SECOND: b}) for a, b in pairwise(spread(interval))]
 
 
+def _at_open_ends(interval, end):
+    """A point very near to an open end (0: the lower, 1: the upper): a root may hide there."""
+    place, open_there = ((interval.start, interval.left_open), (interval.end, interval.right_open))[end]
+    width = interval.end - interval.start
+    if not open_there or width.is_infinite:
+        return []
+    return [place + (1 - 2 * end) * width * sp.Rational(1, 10**20)]
+
+
 class StrictlyIncreasing(Monotone):
     """``StrictlyIncreasing(f, x, interval)``."""
 
@@ -87,7 +96,7 @@ class ExactlyOneRoot(Claim):
 
     def trials(self):
         f, x, interval = self.args
-        points = spread(interval, 40)
+        points = [*_at_open_ends(interval, 0), *spread(interval, 12), *_at_open_ends(interval, 1)]
         return [(OneSignChange(f, x, sp.Tuple(*points)), {})]
 
 
@@ -123,6 +132,13 @@ class Independent(Claim):
         agree(self.args[0])
 
 
+def _at(relation, place):
+    """A relation at a place, unevaluated: to decide it is the business of the trial."""
+    return (
+        relation.func(*(side.xreplace(place) for side in relation.args), evaluate=False) if relation.args else relation
+    )
+
+
 class TracesOnce(Claim):
     """``TracesOnce((X, Y), q, interval, curve, region, (x, y), inverse)``.
 
@@ -137,8 +153,7 @@ class TracesOnce(Claim):
     def trials(self):
         (px, py), q, interval, curve, region, (x, y), inverse = self.args
         here = {x: px, y: py}
-        back = sp.Eq(inverse.subs(here, simultaneous=True), q, evaluate=False)
-        parts = [curve.subs(here, simultaneous=True), region.subs(here, simultaneous=True), back]
+        parts = [_at(curve, here), _at(region, here), sp.Eq(inverse.xreplace(here), q, evaluate=False)]
         return [(part, {q: p}) for p in spread(interval)[1:-1] for part in parts]
 
     def check_dimensions(self, agree):
