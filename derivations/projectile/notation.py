@@ -5,6 +5,8 @@ and R(k, theta) with resistance, U(k, theta) is u where k and theta are the inde
 of W, and tau, a_3 ... d_3 are the t, a ... d of the proof of Theorem 3.
 """
 
+import functools
+
 import sympy as sp
 from mpmath import mp
 
@@ -73,9 +75,9 @@ TRIAL = {
 
 
 class StationaryAngle(sp.Function):
-    """The elevation at which tan(theta)**2 + dy/du is 0, as a number for trials: found by bracketing, not by (3).
+    """The elevation at which tan(theta)**2 + dy/du is 0, as a number for trials: a root search, not Theorem 3.
 
-    Argument: alpha > 0. The root is bracketed between 1/(4 + 4 alpha) and pi/4.
+    Argument: alpha > 0. The root lies between 1/(4 + 4 alpha) and pi/4.
     """
 
     nargs = 1
@@ -85,17 +87,24 @@ class StationaryAngle(sp.Function):
     @staticmethod
     def mp_value(a):
         """The angle to the working precision of mpmath."""
-        with mp.workdps(2 * mp.dps + 40):  # y + 1 loses half of the digits as alpha goes to 0
-            a = mp.mpf(a)
-
-            def condition(angle):
-                at = -1 - a * mp.sin(angle)
-                inverse = mp.lambertw(at * mp.exp(at)).real
-                return mp.tan(angle) ** 2 + (at + 1) * inverse / ((inverse + 1) * at)
-
-            found = mp.findroot(condition, (1 / (4 + 4 * a), mp.pi / 4), solver="anderson", maxsteps=300)
-        return +found
+        return +_stationary_angle(mp.mpf(a), mp.dps)
 
     def _eval_evalf(self, prec):
         with mp.workprec(prec):
             return sp.Float(self.mp_value(mp.mpmathify(self.args[0].evalf(mp.dps + 5))), precision=prec)
+
+
+@functools.lru_cache(maxsize=1024)
+def _stationary_angle(a, digits):
+    def condition(log_angle):
+        angle = mp.exp(log_angle)
+        at = -1 - a * mp.sin(angle)
+        inverse = mp.lambertw(at * mp.exp(at)).real
+        return mp.tan(angle) ** 2 + (at + 1) * inverse / ((inverse + 1) * at)
+
+    with mp.workdps(80):
+        ends = mp.log(1 / (4 + 4 * a)), mp.log(mp.pi / 4)
+        near = mp.findroot(condition, ends, solver="anderson", maxsteps=200)
+    with mp.workdps(2 * digits + 40):  # y + 1 loses half of the digits as alpha goes to 0
+        pair = near, near * (1 + mp.mpf(10) ** -20)
+        return mp.exp(mp.findroot(condition, pair, solver="secant", tol=mp.mpf(10) ** -(digits + 10)))
