@@ -95,6 +95,12 @@ def holds(statement, point) -> bool:
     raise Untestable(f"not a statement: {statement!r}")
 
 
+@functools.lru_cache(maxsize=1024)
+def _trials(claim):
+    """The trials of a claim, made once."""
+    return claim.trials()
+
+
 def _bind(point, values):
     """The point with the variables of a claim added; their values may depend on the point."""
     given = {x: sp.sympify(v) for x, v in values.items()}
