@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from .book import Ledger
+from .check import POINTS
 
 
 def tell(entry) -> str:
@@ -20,6 +21,9 @@ def tell(entry) -> str:
         lines += [f"  {line}" for line in entry.doc.splitlines()]
     for number, step in enumerate(entry.steps, 1):
         lines += [f"    {number}. {step.text}", f"       {_flat(step.statement)}"]
+    if entry.steps and entry.verdict.holds:
+        points = len(entry.declaration.domain.points(POINTS, entry.id))
+        lines.append(f"    (each step holds at {points} points of the assumptions, to 50 digits)")
     if entry.declaration.function is not None and entry.result is not None:
         lines.append(f"  result    {_flat(entry.result)}")
     lines.append(f"  verdict   {entry.verdict}")

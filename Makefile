@@ -1,0 +1,40 @@
+# galileo-sym: `make` installs into .venv and runs everything; `make test` installs and runs the tests.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+STAMP := $(VENV)/.installed
+
+.DEFAULT_GOAL := all
+.PHONY: all install test lint format clean help
+
+all: install ## install, then derive, emit and verify everything
+	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
+	  || echo "no C compiler found: the NumPy back end alone is built and verified (install gcc or clang for the C one)"
+	$(BIN)/galileo-sym all
+
+install: $(STAMP) ## make .venv with the package and its extras
+
+$(STAMP): pyproject.toml
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[all,test,lint]'
+	@touch $(STAMP)
+
+test: install ## run the tests, in parallel
+	$(BIN)/python -m pytest -n 2
+
+lint: install ## style, floors of the architecture, types of the public modules
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/python tools/check_floors.py
+
+format: install ## put the sources into the common style
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+
+clean: ## remove what is made: .venv, build/, caches
+	rm -rf $(VENV) build dist .pytest_cache .ruff_cache .hypothesis .import_linter_cache .benchmarks
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+help: ## list the targets
+	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "make %-9s %s\n", $$1, $$2}'

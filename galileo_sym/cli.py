@@ -1,0 +1,111 @@
+"""The command line: exit 0 if all held, 1 if anything failed, 2 on bad usage."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import re
+import sys
+
+from galileo_sym import __version__
+
+OK, FAILED, USAGE = 0, 1, 2
+
+EXAMPLES = """\
+examples:
+  galileo-sym derive chord.eq21 --show      tell one derivation step by step
+  galileo-sym derive projectile --json      the verdicts of a paper, as JSON
+  galileo-sym emit --check                  say what in generated/ differs from what would be emitted now
+  galileo-sym verify chord.distance --points 5000
+  galileo-sym all                           derive, emit, verify
+"""
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that names the nearest options and commands when it does not know one."""
+
+    def error(self, message):
+        words = [w for w in re.findall(r"[\w-]+", message.split("(choose")[0]) if len(w) > 2]
+        near = [m for w in words for m in difflib.get_close_matches(w, _words(self), n=2, cutoff=0.6) if m != w]
+        hint = f"; nearest: {', '.join(dict.fromkeys(near))}" if near else ""
+        self.print_usage(sys.stderr)
+        self.exit(USAGE, f"{self.prog}: {message}{hint}\n")
+
+
+def _words(grammar):
+    """Options and commands of a parser and of those below it."""
+    found = []
+    for action in grammar._actions:
+        found += action.option_strings
+        for name, below in (action.choices or {}).items():
+            found += [name, *_words(below)]
+    return found
+
+
+def _positive(text):
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not a positive number")
+    return number
+
+
+def parser() -> argparse.ArgumentParser:
+    """The grammar of the command line."""
+    top = Parser(
+        prog="galileo-sym",
+        description="Re-derive two papers on motion with resistance, emit NumPy and C code, and check its accuracy.",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    top.add_argument("--version", action="version", version=f"galileo-sym {__version__}")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", required=True, parser_class=Parser)
+
+    derive = commands.add_parser("derive", help="rerun derivations, and say what is proved", allow_abbrev=False)
+    derive.add_argument("names", nargs="*", metavar="ID|CHAPTER", help="entries or chapters; all if none is given")
+    derive.add_argument("--show", action="store_true", help="tell each derivation step by step")
+
+    emit = commands.add_parser("emit", help="write generated/, or hold it against its sources", allow_abbrev=False)
+    emit.add_argument("--check", action="store_true", help="write nothing; say what differs, exit 1 if anything does")
+    emit.add_argument("-o", "--output", metavar="DIR", help="write there instead of generated/")
+
+    verify = commands.add_parser("verify", help="measure errors in ulp against certain references", allow_abbrev=False)
+    verify.add_argument("names", nargs="*", metavar="FUNCTION", help="functions or papers; all if none is given")
+    verify.add_argument("--points", type=_positive, metavar="N", help="points to sample in each stratum")
+    verify.add_argument("--seed", type=int, metavar="S", help="of the sample")
+    verify.add_argument("--stratum", action="append", default=[], metavar="NAME", help="only these strata")
+    verify.add_argument("--update", action="store_true", help="renew the certificates")
+
+    everything = commands.add_parser("all", help="derive, emit, verify", allow_abbrev=False)
+    for command in (derive, emit, verify, everything):
+        command.add_argument("--json", action="store_true", help="print JSON")
+    return top
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run a command.
+
+    Parameters
+    ----------
+    argv : list of str, optional
+        Arguments; by default those of the process.
+
+    Returns
+    -------
+    int
+        0 if all held, 1 if anything failed, 2 on bad usage.
+    """
+    options = parser().parse_args(argv)
+    from galileo_sym import commands  # here: --help and --version load neither SymPy nor mpmath
+
+    try:
+        return commands.COMMANDS[options.command](options)
+    except commands.UsageError as problem:
+        print(f"galileo-sym {options.command}: {problem}", file=sys.stderr)
+        return USAGE
+    except BrokenPipeError:  # the reader (head, less) has seen enough
+        sys.stderr.close()
+        return OK
+    except KeyboardInterrupt:
+        print(f"galileo-sym {options.command}: interrupted; files are as they were", file=sys.stderr)
+        return FAILED
