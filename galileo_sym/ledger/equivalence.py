@@ -164,11 +164,14 @@ def _without_w(expr):
 
 
 def _exp_of(exponent, w):
-    rest = sp.expand(exponent)
-    times = rest.coeff(w)
-    if not times.is_Integer or (rest - times * w).has(w):
+    """e^(n w + rest) as (q/w)^n e^rest, for a whole number n."""
+    name = sp.Dummy("w", real=True)
+    tidy = sp.cancel(sp.together(exponent.xreplace({w: name})))
+    times = sp.cancel(sp.diff(tidy, name))
+    rest = sp.cancel(tidy - times * name)
+    if not times.is_Integer or rest.has(name):
         return sp.exp(exponent)
-    return (w.args[0] / w) ** times * sp.exp(rest - times * w)
+    return (w.args[0] / w) ** times * sp.exp(rest)
 
 
 def _w_rational(expr):
