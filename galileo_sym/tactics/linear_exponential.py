@@ -116,7 +116,7 @@ def solve_linear_exponential(result3: sp.Eq, names, equation: sp.Eq, unknown, ex
 def simplify_inside(expr):
     """Simplify the arguments of W, then the whole, which leaves W alone."""
     tidy = {w: w.func(sp.simplify(sp.powsimp(w.args[0])), *w.args[1:]) for w in expr.atoms(sp.LambertW)}
-    return sp.expand(expr.xreplace(tidy))
+    return sp.expand(expr.xreplace(tidy), deep=False)
 
 
 @tactic
