@@ -2,11 +2,11 @@
 
 import sympy as sp
 from galileo_sym.derivations.chord.notation import D, g, gamma, mu, n, notation, t, theta
-from sympy import And, Derivative, Eq, Interval, LambertW, Limit, Tuple, atan, cos, exp, pi, sin, sqrt
+from sympy import Interval, LambertW, Tuple, atan, cos, exp, pi, sin, sqrt
 
 from galileo_sym.ledger import POSITIVE, Chapter, Domain, tell_chapter
 from galileo_sym.primitives import descent_factor, driving, phi2
-from galileo_sym.tactics import first_order
+from galileo_sym.tactics import limits_at_zero, twin_at_zero
 
 chapter = Chapter("stable.at_zero_drag", notation, "stable forms (not printed)")
 
@@ -74,14 +74,6 @@ ROWS = (
 )
 
 
-def limits(form, value, slope):
-    """Value and first derivative in gamma, gamma -> 0+."""
-    return And(
-        Eq(Limit(form, gamma, 0, "+"), value, evaluate=False),
-        Eq(Limit(Derivative(form, gamma), gamma, 0, "+"), slope, evaluate=False),
-    )
-
-
 def from_twin(output, primitive):
     """The derivation of a row: expand the primitive of the stable form to first order."""
 
@@ -90,11 +82,7 @@ def from_twin(output, primitive):
         forms = twin.rhs if isinstance(twin.rhs, Tuple) else (twin.rhs,)
         slide = n * cos(theta) if primitive is descent_factor else SLIDE  # n = driving/cos(theta), as in (43)
         expr = sp.simplify(forms[output].subs(driving(theta, mu), slide))
-        slope = next(e.rhs for e in at_zero_of_primitive.parts if e.lhs.has(Derivative))
-        toward = -1 if primitive is phi2 else 1  # the slope of phi2 is proved along phi2(-z)
-        value, derivative = first_order(expr, gamma, {primitive: toward * slope})
-        closed = expr.replace(primitive, lambda z: primitive(z).rewrite(CLOSED[primitive]))
-        return limits(closed, value, derivative)
+        return twin_at_zero(expr, gamma, {primitive: at_zero_of_primitive.statement}, CLOSED[primitive])
 
     return at_zero
 
@@ -102,7 +90,7 @@ def from_twin(output, primitive):
 for _twin, _output, _primitive, _form, _value, _slope, _ranges in ROWS:
     chapter.derive(
         f"stable.chord.{_twin}.at-zero",
-        limits(_form, _value, _slope),
+        limits_at_zero(_form, gamma, _value, _slope),
         Domain({**_ranges, gamma: POSITIVE}),
         premises=(f"stable.chord.{_twin}", f"stable.at-zero.{_primitive.__name__}"),
     )(from_twin(_output, _primitive))

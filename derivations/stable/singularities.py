@@ -5,7 +5,7 @@ With s = gamma t (or k t) at the arrival: p^2/2 = s - 1 + e^(-s); 1 + b = s/(1 -
 
 import sympy as sp
 from galileo_sym.derivations.stable.notation import a, b, notation, p, s, z
-from sympy import And, Derivative, Eq, Ge, LambertW, Limit, Rational, asin, exp, pi, sqrt
+from sympy import Ge, LambertW, Rational, asin, exp, pi, sqrt
 
 from galileo_sym.ledger import POSITIVE, Chapter, DerivationError, Domain, step, tell_chapter
 from galileo_sym.ledger.equivalence import is_zero
@@ -18,21 +18,13 @@ from galileo_sym.primitives import (
     phi2,
     range_factor,
 )
-from galileo_sym.tactics import elementary_limit, ladder
+from galileo_sym.tactics import elementary_limit, ladder, limits_at_zero
 
 chapter = Chapter("stable.singularities", notation, "stable forms (not printed)")
 
 P_OF_S = sqrt(2 * (s - 1 + exp(-s)))
 B_OF_S = s / (1 - exp(-s)) - 1
 A_OF_S = sqrt(1 + (s - 1) * exp(s))
-
-
-def printed(form, x, value, slope):
-    """Value and first derivative at 0 of a closed form in x."""
-    return And(
-        Eq(Limit(form, x, 0, "+"), value, evaluate=False),
-        Eq(Limit(Derivative(form, x), x, 0, "+"), slope, evaluate=False),
-    )
 
 
 def by_parameter(form, x, path, w_in_s, in_s):
@@ -51,7 +43,7 @@ def by_parameter(form, x, path, w_in_s, in_s):
     if elementary_limit(path, s, 0) != 0:
         raise DerivationError(f"{path} does not tend to 0")
     slope = elementary_limit(sp.diff(in_s, s) / sp.diff(path, s), s, 0)
-    return printed(form, x, elementary_limit(in_s, s, 0), slope)
+    return limits_at_zero(form, x, elementary_limit(in_s, s, 0), slope)
 
 
 DESCENT = descent_factor(p).rewrite(LambertW)
@@ -62,47 +54,53 @@ ANGLE = best_angle(a).rewrite(LambertW)
 W_FLIGHT = -s / (exp(s) - 1)
 
 
-@chapter.derive("stable.at-zero.phi1", printed(phi1(-z).rewrite(exp), z, 1, -Rational(1, 2)), Domain({z: POSITIVE}))
+@chapter.derive(
+    "stable.at-zero.phi1", limits_at_zero(phi1(-z).rewrite(exp), z, 1, -Rational(1, 2)), Domain({z: POSITIVE})
+)
 def phi1_at_zero():
     """An elementary form: SymPy's limit is right."""
     form = phi1(-z).rewrite(exp)
-    return printed(form, z, elementary_limit(form, z, 0), elementary_limit(sp.diff(form, z), z, 0))
+    return limits_at_zero(form, z, elementary_limit(form, z, 0), elementary_limit(sp.diff(form, z), z, 0))
 
 
 @chapter.derive(
-    "stable.at-zero.phi2", printed(phi2(-z).rewrite(exp), z, Rational(1, 2), -Rational(1, 6)), Domain({z: POSITIVE})
+    "stable.at-zero.phi2",
+    limits_at_zero(phi2(-z).rewrite(exp), z, Rational(1, 2), -Rational(1, 6)),
+    Domain({z: POSITIVE}),
 )
 def phi2_at_zero():
     """An elementary form: SymPy's limit is right."""
     form = phi2(-z).rewrite(exp)
-    return printed(form, z, elementary_limit(form, z, 0), elementary_limit(sp.diff(form, z), z, 0))
+    return limits_at_zero(form, z, elementary_limit(form, z, 0), elementary_limit(sp.diff(form, z), z, 0))
 
 
-@chapter.derive("stable.at-zero.descent_factor", printed(DESCENT, p, 1, Rational(1, 6)), Domain({s: POSITIVE}))
+@chapter.derive("stable.at-zero.descent_factor", limits_at_zero(DESCENT, p, 1, Rational(1, 6)), Domain({s: POSITIVE}))
 def descent_at_zero():
     """W = -e^(-s), and the factor is s/p."""
     return by_parameter(DESCENT, p, P_OF_S, -exp(-s), s / P_OF_S)
 
 
-@chapter.derive("stable.at-zero.flight_factor", printed(FLIGHT, b, 1, -Rational(1, 3)), Domain({s: POSITIVE}))
+@chapter.derive("stable.at-zero.flight_factor", limits_at_zero(FLIGHT, b, 1, -Rational(1, 3)), Domain({s: POSITIVE}))
 def flight_at_zero():
     """W = -s/(e^s - 1), and the factor is s/(2 b)."""
     return by_parameter(FLIGHT, b, B_OF_S, W_FLIGHT, s / (2 * B_OF_S))
 
 
-@chapter.derive("stable.at-zero.range_factor", printed(RANGE, b, 1, -Rational(4, 3)), Domain({s: POSITIVE}))
+@chapter.derive("stable.at-zero.range_factor", limits_at_zero(RANGE, b, 1, -Rational(4, 3)), Domain({s: POSITIVE}))
 def range_at_zero():
     """W = -s/(e^s - 1), and the factor is (1 - e^(-s))/(2 b)."""
     return by_parameter(RANGE, b, B_OF_S, W_FLIGHT, (1 - exp(-s)) / (2 * B_OF_S))
 
 
-@chapter.derive("stable.at-zero.best_sine", printed(SINE, a, 1 / sqrt(2), -Rational(1, 6)), Domain({s: POSITIVE}))
+@chapter.derive(
+    "stable.at-zero.best_sine", limits_at_zero(SINE, a, 1 / sqrt(2), -Rational(1, 6)), Domain({s: POSITIVE})
+)
 def best_sine_at_zero():
     """W = s - 1, and the sine is a/(e^s - 1)."""
     return by_parameter(SINE, a, A_OF_S, s - 1, A_OF_S / (exp(s) - 1))
 
 
-@chapter.derive("stable.at-zero.best_angle", printed(ANGLE, a, pi / 4, -sqrt(2) / 6), Domain({s: POSITIVE}))
+@chapter.derive("stable.at-zero.best_angle", limits_at_zero(ANGLE, a, pi / 4, -sqrt(2) / 6), Domain({s: POSITIVE}))
 def best_angle_at_zero():
     """The arcsine of the sine."""
     return by_parameter(ANGLE, a, A_OF_S, s - 1, asin(A_OF_S / (exp(s) - 1)))

@@ -3,7 +3,7 @@
 from .boxes import box_of, compare_on, sign_by_ladder, sign_on, trig_box
 from .circles import Circle, read_circle, sine_maximum, trace_circle
 from .eliminate import eliminate, eliminate_angle
-from .factors import first_order, introduce
+from .factors import first_order, introduce, limits_at_zero, twin_at_zero
 from .implicit import implicit_derivative
 from .inverse import inverse_between, undo
 from .limits import elementary_limit, limit_along, limit_by_parameter
@@ -49,14 +49,17 @@ __all__ = [
     "elementary_limit",
     "eliminate",
     "eliminate_angle",
+    "first_order",
     "implicit_derivative",
     "integrate_from_zero",
+    "introduce",
     "inverse_between",
     "isolate",
     "ladder",
     "least_value",
     "limit_along",
     "limit_by_parameter",
+    "limits_at_zero",
     "monotone",
     "monotone_on_half_line",
     "monotone_through",
@@ -79,7 +82,8 @@ __all__ = [
     "substitute",
     "trace_circle",
     "trig_box",
+    "twin_at_zero",
     "undo",
     "unique_maximum",
     "values_ordered",
-]  # fmt: skip
+]

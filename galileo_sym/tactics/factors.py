@@ -37,7 +37,7 @@ def introduce(expr, factor, *, closed=sp.LambertW):
     if not targets:
         raise DerivationError(f"{expr} has no {inner}")
     put = (factor - rest) / slope
-    return sp.simplify(sp.expand(expr.xreplace(dict.fromkeys(targets, put))))
+    return sp.factor_terms(sp.expand(expr.xreplace(dict.fromkeys(targets, put))))
 
 
 @tactic
@@ -65,3 +65,37 @@ def first_order(expr, force, slopes: dict):
         expansions[f] = f.func(0) + slopes[f.func] * argument
     near = sp.expand(expr.xreplace(expansions))
     return sp.simplify(near.subs(force, 0)), sp.simplify(sp.diff(near, force).subs(force, 0))
+
+
+def limits_at_zero(form, force, value, slope) -> sp.And:
+    """The statement that a form tends to a value as a force vanishes, and its derivative to a slope."""
+    return sp.And(
+        sp.Eq(sp.Limit(form, force, 0, "+"), value, evaluate=False),
+        sp.Eq(sp.Limit(sp.Derivative(form, force), force, 0, "+"), slope, evaluate=False),
+    )
+
+
+@tactic
+def twin_at_zero(expr, force, facts: dict, closed) -> sp.And:
+    """Value and first derivative of a stable form where a force vanishes, told of its closed form.
+
+    Parameters
+    ----------
+    expr : expression
+        The stable form.
+    facts : dict
+        What was proved of each primitive at 0, as `limits_at_zero` of its closed form: {descent_factor: And(...)}.
+    closed : LambertW or exp
+        What the closed forms are written with.
+    """
+    slopes = {primitive: _proved_slope(fact) for primitive, fact in facts.items()}
+    value, slope = first_order(expr, force, slopes)
+    form = expr.replace(lambda e: e.func in facts, lambda e: e.rewrite(closed))
+    return limits_at_zero(form, force, value, slope)
+
+
+def _proved_slope(fact):
+    """The derivative of a primitive P at 0, from its limit along P(x) or, told by exp(-x), along P(-x)."""
+    told = next(e for e in fact.args if e.lhs.has(sp.Derivative))
+    toward = -1 if told.lhs.has(sp.exp) and not told.lhs.has(sp.LambertW) else 1
+    return toward * told.rhs
