@@ -260,13 +260,6 @@ def stable(function, force_set):
     KeyError
         If the ledger has no such entry.
     """
-    from galileo_sym.derivations.stable import projectile as _p  # TEMP
-
-    if hasattr(_p, "STABLE") and function.paper == "projectile":  # TEMP
-        return tuple(
-            f.xreplace({s: _symbol(s.name) for s in f.free_symbols})
-            for f in _p.STABLE[function.ledger_id(force_set)[7:]].values()
-        )  # TEMP
     statement = ledger()[function.ledger_id(force_set)].printed
     forms = statement.rhs if isinstance(statement.rhs, Tuple) else (statement.rhs,)
     return tuple(form.xreplace({s: _symbol(s.name) for s in form.free_symbols}) for form in forms)
