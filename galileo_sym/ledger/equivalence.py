@@ -156,6 +156,7 @@ def _rational(expr):
 
 def _without_w(expr):
     """Write every W(q) as a symbol w, with e^w = q/w."""
+    expr = expr.replace(lambda e: isinstance(e, sp.LambertW), lambda e: e.func(sp.expand(e.args[0]), *e.args[1:]))
     for w in sorted(expr.atoms(sp.LambertW), key=lambda e: (-sp.count_ops(e), str(e))):
         name = sp.Dummy("w", real=True)
         expr = expr.replace(lambda e: isinstance(e, sp.exp) and e.args[0].has(w), lambda e: _exp_of(e.args[0], w))  # noqa: B023
