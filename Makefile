@@ -23,10 +23,11 @@ $(STAMP): pyproject.toml
 test: install ## run the tests, in parallel
 	$(BIN)/python -m pytest -n 2
 
-lint: install ## style, floors of the architecture, types of the public modules
+lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python tools/check_floors.py
+	$(BIN)/python tools/accuracy_table.py
 
 format: install ## put the sources into the common style
 	$(BIN)/ruff check --fix .

@@ -235,6 +235,10 @@ NAMED = {
 }
 
 
+class NotDerived(ValueError):
+    """A stable form has no derivation that reaches it."""
+
+
 @cache
 def ledger():
     """Return the ledger, loaded once in a process; its entries are derived only where asked for."""
@@ -259,7 +263,12 @@ def stable(function, force_set):
     ------
     KeyError
         If the ledger has no such entry.
+    NotDerived
+        If its derivation failed: what is emitted is what was derived.
     """
-    statement = ledger()[function.ledger_id(force_set)].printed
+    entry = ledger()[function.ledger_id(force_set)]
+    statement = entry.result
+    if statement is None:
+        raise NotDerived(f"{entry.id} could not be derived: run `galileo-sym derive {entry.id}` to see why")
     forms = statement.rhs if isinstance(statement.rhs, Tuple) else (statement.rhs,)
     return tuple(form.xreplace({s: _symbol(s.name) for s in form.free_symbols}) for form in forms)

@@ -86,6 +86,7 @@ def _print_table(entries):
 
 def emit(options) -> int:
     """Write generated/, or say what in it differs from what would be written."""
+    from galileo_sym.catalogue import NotDerived
     from galileo_sym.codegen import emit as writer
 
     try:
@@ -94,6 +95,9 @@ def emit(options) -> int:
             print(json.dumps({"differences": lines}, indent=2) if options.json else "\n".join(lines or ["up to date"]))
             return 1 if lines else 0
         written = writer.emit(options.output)
+    except NotDerived as problem:
+        print(f"galileo-sym emit: {problem}", file=sys.stderr)
+        return 1
     except (writer.WrongVersion, OSError) as problem:
         raise UsageError(problem) from None
     print(
