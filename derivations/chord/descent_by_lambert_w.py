@@ -119,7 +119,11 @@ def principal_branch(claim__W_branches, claim__F_monotone, eq34):
     root = claim__W_branches.of(W_1(q)).subs(q, value)
     inverse = next(p for p in claim__W_branches.parts if p.has(exp) and p.has(W_1))
     image = Eq(*(side.subs(q, value).subs(W_1(value), root) for side in inverse.args), evaluate=False)
-    left = arguments_reversed(falls, below, -1 - c, image, root)
+    beyond = part_of(claim__W_branches, sp.LessThan)
+    if beyond.lts != W_1(q):
+        raise DerivationError(f"{beyond} is not the bound of W_(-1)")
+    inside = [step("W_(-1) lies where F falls", Le(root, beyond.gts, evaluate=False))]
+    left = arguments_reversed(falls, below, -1 - c, image, root, inside)
     least_time = 1 + c + claim__W_branches.of(W_0(q)).subs(q, value)
     return And(Gt(least_time, 0, evaluate=False), Lt(1 + c + left.lts, 1 + c + left.gts, evaluate=False))
 

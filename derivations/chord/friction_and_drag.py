@@ -37,6 +37,7 @@ from galileo_sym.ledger import (
 )
 from galileo_sym.tactics import (
     at_rest,
+    check_root,
     eliminate_angle,
     implicit_derivative,
     isolate,
@@ -154,7 +155,7 @@ TIME_OF_N = LambertW(-exp(-1 - D * gamma**2 / (g * n))) / gamma + 1 / gamma + D 
         StrictlyDecreasing(TIME_OF_N, n, Interval.open(0, sp.oo)),
         StrictlyDecreasing(1 - mu * tan(theta), theta, Interval.Ropen(0, LAST)),
     ),
-    Domain({**BOTH, D: POSITIVE, theta: Interval.Ropen(0, LAST)}),
+    Domain({**BOTH, D: POSITIVE, theta: Interval.Ropen(0, LAST)}, where={n: 1 - mu * tan(theta)}),
 )
 def theta_matters(eq42, eq43):
     """D = n h(t) with h rising in t: t falls as n rises, and n falls as theta rises."""
@@ -168,6 +169,7 @@ def theta_matters(eq42, eq43):
     falls = _sign_of_quotient(dt_dn, rises, height, z)
     steeper = sign_by_factors(sp.diff(1 - mu * tan(theta), theta).replace(tan, lambda a: sp.Dummy("T", real=True)), {})
     by_n = eq43.rhs.subs(tan(Abs(theta)), (1 - n) / mu)
+    check_root(Eq(n * fallen, D, evaluate=False), t_AB, by_n)
     return And(
         monotone(sp.expand(by_n), n, Interval.open(0, sp.oo), falls),
         monotone(1 - mu * tan(theta), theta, Interval.Ropen(0, LAST), steeper),

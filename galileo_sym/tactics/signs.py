@@ -122,7 +122,7 @@ def positive_before_root(claim, root, variable):
 
 
 @tactic
-def arguments_reversed(claim, below, low, image, high) -> sp.Lt:
+def arguments_reversed(claim, below, low, image, high, inside=()) -> sp.Lt:
     """From a strictly decreasing f and f(low) < f(high): high < low.
 
     Parameters
@@ -132,9 +132,22 @@ def arguments_reversed(claim, below, low, image, high) -> sp.Lt:
         Lt(f(low), v), proved.
     image : Eq
         Eq(f(high), v).
+    inside : sequence of Le and Ge
+        Proved: `low` or `high` does not pass an end of the interval, where SymPy does not see it.
     """
-    function, x, _ = claim.args
+    function, x, interval = claim.args
+    for place in (low, high):
+        if interval.contains(place) is not sp.true and not any(_keeps(fact, place, interval) for fact in inside):
+            raise DerivationError(f"{place} is not shown to lie in {interval}, where {function} decreases")
     fits = isinstance(claim, StrictlyDecreasing) and is_zero(below.lts - function.subs(x, low))
     if not fits or is_zero(image.lhs - function.subs(x, high)) is None or is_zero(image.rhs - below.gts) is None:
         raise DerivationError(f"{below} and {image} are not about {claim}")
     return sp.Lt(high, low, evaluate=False)
+
+
+def _keeps(fact, place, interval):
+    """Whether a relation says that a place lies in a closed half-line."""
+    low, high = interval.start, interval.end
+    if low is sp.S.NegativeInfinity:
+        return isinstance(fact, sp.GreaterThan | sp.LessThan) and (fact.lts, fact.gts) == (place, high)
+    return high is sp.oo and isinstance(fact, sp.GreaterThan | sp.LessThan) and (fact.lts, fact.gts) == (low, place)
