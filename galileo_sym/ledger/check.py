@@ -9,7 +9,7 @@ import sympy as sp
 
 from . import dimensions, numeric
 from .derivation import Premise, recording
-from .domain import REAL, Domain
+from .domain import REAL, Domain, EmptyDomain
 from .environment import as_algebra, definitions, resolve
 from .equivalence import equivalent
 from .statement import Declaration, Erratum
@@ -88,6 +88,8 @@ def _judge(declaration, outcome, premises):
             if failure is not None:
                 return Kind.REFUTED, f"{name} fails", failure
         how = equivalent(outcome.result, declaration.printed)
+    except EmptyDomain as problem:
+        return Kind.VACUOUS, str(problem), None
     except Exception as problem:  # whatever SymPy cannot do is this entry's verdict, not a crash
         return Kind.ERROR, f"{type(problem).__name__}: {problem}", None
     method = ", ".join((*outcome.tactics, f"as printed: {how}" if how else "equal in numbers only"))
@@ -137,6 +139,9 @@ def refutation(erratum: Erratum, declaration: Declaration, given: dict) -> Verdi
         return None
     start = time.perf_counter()
     domain = erratum.domain or declaration.domain
-    found = counterexample(erratum.printed, domain, {**given, **domain.where}, f"{declaration.id} as printed")
+    try:
+        found = counterexample(erratum.printed, domain, {**given, **domain.where}, f"{declaration.id} as printed")
+    except EmptyDomain as problem:
+        return Verdict(Kind.VACUOUS, str(problem), time.perf_counter() - start)
     kind, method = (Kind.REFUTED, "as printed") if found else (Kind.CHECKED, "as printed: no counterexample found")
     return Verdict(kind, method, time.perf_counter() - start, found)

@@ -12,6 +12,7 @@ from sympy.logic.boolalg import BooleanAtom
 
 from . import numeric
 from .check import POINTS, counterexample, digits, ready_to_try
+from .domain import EmptyDomain
 from .environment import definitions
 from .equivalence import equivalent
 from .verdict import Kind, Verdict
@@ -46,6 +47,8 @@ def _compare(other, derived, declaration, given):
         if how:
             return Kind.PROVED, how, None
         failure = _other_way(other, derived, declaration.domain, known, declaration.id)
+    except EmptyDomain as problem:
+        return Kind.VACUOUS, str(problem), None
     except numeric.Untestable as problem:
         return Kind.ERROR, f"cannot be compared: {problem}", None
     if failure is not None:

@@ -56,6 +56,7 @@ class Domain:
         plans = [dict.fromkeys(self.ranges, None) for _ in range(count)]
         for symbol, values in self.ranges.items():
             for piece in _pieces(values):
+                _require_points(symbol, piece, values)
                 plans += [dict.fromkeys(self.ranges, None) | {symbol: (piece, edge)} for edge in _edges(piece)]
         return [self._draw(plan, rng) for plan in plans]
 
@@ -64,10 +65,14 @@ class Domain:
         for symbol, values in self.ranges.items():
             piece, edge = plan[symbol] or (rng.choice(_pieces(values)), None)
             now = piece.subs(point)
-            if now.is_empty is True or now == sp.S.EmptySet:
-                raise EmptyDomain(f"no {symbol} in {now} (from {values})")
+            _require_points(symbol, now, values)
             point[symbol] = _pick(now, edge, rng)
         return point
+
+
+def _require_points(symbol, now, values):
+    if now.is_empty:
+        raise EmptyDomain(f"the assumptions leave no {symbol} in {values}: correct its range")
 
 
 def _pieces(values):
@@ -78,6 +83,8 @@ def _pieces(values):
 def _as_condition(symbol, values):
     if isinstance(values, sp.Union):
         return sp.Or(*(_as_condition(symbol, piece) for piece in values.args))
+    if values is sp.S.EmptySet:
+        return sp.false
     if isinstance(values, sp.FiniteSet):
         return sp.Or(*(sp.Eq(symbol, v, evaluate=False) for v in values))
     parts = []
@@ -105,7 +112,7 @@ def _edges(values):
 def _pick(values, edge, rng):
     if isinstance(values, sp.FiniteSet):
         members = sorted(values, key=sp.default_sort_key)
-        return members[edge[1]] if edge else rng.choice(members)
+        return members[edge[1]] if edge and edge[0] == "element" else rng.choice(members)
     low, high = values.start, values.end
     if edge and edge[0] == "end":
         return low if edge[1] == 0 else high
