@@ -15,7 +15,7 @@ from galileo_sym.generated.chord import FUNCTIONS
 __all__ = ["descent_time", "distance", "position", "synchronous_circle"]
 
 
-def descent_time(theta, *, diameter, g, mu=0.0, gamma=0.0, **options):
+def descent_time(theta, *, diameter, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
     """Time a bead takes from the top of the circle to the end of its chord.
 
     Parameters
@@ -30,8 +30,8 @@ def descent_time(theta, *, diameter, g, mu=0.0, gamma=0.0, **options):
         Coefficient of sliding friction, equal to the static one; >= 0.
     gamma : array_like, optional
         Linear drag coefficient over mass, in 1/s; >= 0.
-    **options
-        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+    out, where, dtype, casting : optional
+        As for a NumPy ufunc; `dtype` is float64 or float32.
 
     Returns
     -------
@@ -54,10 +54,18 @@ def descent_time(theta, *, diameter, g, mu=0.0, gamma=0.0, **options):
     >>> float(round(descent_time(0.0, diameter=1.0, g=9.81, gamma=1e-8), 5))
     0.45152
     """
-    return serve(FUNCTIONS["descent_time"], (theta, diameter, g), {"mu": mu, "gamma": gamma}, **options)
+    return serve(
+        FUNCTIONS["descent_time"],
+        (theta, diameter, g),
+        {"mu": mu, "gamma": gamma},
+        out=out,
+        where=where,
+        dtype=dtype,
+        casting=casting,
+    )
 
 
-def distance(t, theta, *, g, mu=0.0, gamma=0.0, **options):
+def distance(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
     """Distance a bead has gone along its chord.
 
     Parameters
@@ -72,8 +80,8 @@ def distance(t, theta, *, g, mu=0.0, gamma=0.0, **options):
         Coefficient of sliding friction, equal to the static one; >= 0.
     gamma : array_like, optional
         Linear drag coefficient over mass, in 1/s; >= 0.
-    **options
-        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+    out, where, dtype, casting : optional
+        As for a NumPy ufunc; `dtype` is float64 or float32.
 
     Returns
     -------
@@ -89,17 +97,25 @@ def distance(t, theta, *, g, mu=0.0, gamma=0.0, **options):
     -----
     Equations (1), (15), (29) and (41) of the chord paper, as g t²/2 (cos θ - μ sin|θ|) times 2 φ₂(-γt).
     """
-    return serve(FUNCTIONS["distance"], (t, theta, g), {"mu": mu, "gamma": gamma}, **options)
+    return serve(
+        FUNCTIONS["distance"],
+        (t, theta, g),
+        {"mu": mu, "gamma": gamma},
+        out=out,
+        where=where,
+        dtype=dtype,
+        casting=casting,
+    )
 
 
-def position(t, theta, *, g, mu=0.0, gamma=0.0, **options):
+def position(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
     """Position of a bead, x to the right and y down from the top of the circle.
 
     Parameters
     ----------
     t, theta, g, mu, gamma : array_like
         As for `distance`.
-    **options
+    out, where, dtype, casting : optional
         ``out`` (a pair of arrays), ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
 
     Returns
@@ -116,17 +132,25 @@ def position(t, theta, *, g, mu=0.0, gamma=0.0, **options):
     -----
     Equations (5), (6), (19), (20), and the coordinates of section 1 with (29) and (41) of the chord paper.
     """
-    return serve(FUNCTIONS["position"], (t, theta, g), {"mu": mu, "gamma": gamma}, **options)
+    return serve(
+        FUNCTIONS["position"],
+        (t, theta, g),
+        {"mu": mu, "gamma": gamma},
+        out=out,
+        where=where,
+        dtype=dtype,
+        casting=casting,
+    )
 
 
-def synchronous_circle(t, *, g, mu=0.0, gamma=0.0, **options):
+def synchronous_circle(t, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
     """Circle on which beads released together from the top are found at one time.
 
     Parameters
     ----------
     t, g, mu, gamma : array_like
         As for `distance`.
-    **options
+    out, where, dtype, casting : optional
         ``out`` (three arrays), ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
 
     Returns
@@ -144,4 +168,12 @@ def synchronous_circle(t, *, g, mu=0.0, gamma=0.0, **options):
     -----
     Equations (10), (22), (32) and (45)-(47) of the chord paper.
     """
-    return serve(FUNCTIONS["synchronous_circle"], (t, g), {"mu": mu, "gamma": gamma}, **options)
+    return serve(
+        FUNCTIONS["synchronous_circle"],
+        (t, g),
+        {"mu": mu, "gamma": gamma},
+        out=out,
+        where=where,
+        dtype=dtype,
+        casting=casting,
+    )

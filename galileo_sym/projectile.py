@@ -15,7 +15,7 @@ from galileo_sym.generated.projectile import FUNCTIONS
 __all__ = ["best_angle", "flight_time", "horizontal_range", "position"]
 
 
-def flight_time(theta, *, v, g, k=0.0, **options):
+def flight_time(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
     """Time until a projectile is back at the height of its launch.
 
     Parameters
@@ -28,8 +28,8 @@ def flight_time(theta, *, v, g, k=0.0, **options):
         Acceleration of gravity, in m/s²; > 0.
     k : array_like, optional
         Linear resistance coefficient over mass, in 1/s; >= 0.
-    **options
-        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+    out, where, dtype, casting : optional
+        As for a NumPy ufunc; `dtype` is float64 or float32.
 
     Returns
     -------
@@ -50,18 +50,18 @@ def flight_time(theta, *, v, g, k=0.0, **options):
     >>> float(round(flight_time(0.5, v=10.0, g=9.81, k=1e-9), 5))
     0.97742
     """
-    return serve(FUNCTIONS["flight_time"], (theta, v, g), {"k": k}, **options)
+    return serve(FUNCTIONS["flight_time"], (theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting)
 
 
-def horizontal_range(theta, *, v, g, k=0.0, **options):
+def horizontal_range(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
     """Horizontal distance at which a projectile is back at the height of its launch.
 
     Parameters
     ----------
     theta, v, g, k : array_like
         As for `flight_time`.
-    **options
-        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+    out, where, dtype, casting : optional
+        As for a NumPy ufunc; `dtype` is float64 or float32.
 
     Returns
     -------
@@ -77,10 +77,12 @@ def horizontal_range(theta, *, v, g, k=0.0, **options):
     -----
     The range formula of the projectile paper, as 2 v² sin θ cos θ/g times ``range_factor``.
     """
-    return serve(FUNCTIONS["horizontal_range"], (theta, v, g), {"k": k}, **options)
+    return serve(
+        FUNCTIONS["horizontal_range"], (theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting
+    )
 
 
-def position(t, theta, *, v, g, k=0.0, **options):
+def position(t, theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
     """Position of a projectile, y up from the launch.
 
     Parameters
@@ -89,7 +91,7 @@ def position(t, theta, *, v, g, k=0.0, **options):
         Time since launch, in s; >= 0. Positions are not clipped at landing.
     theta, v, g, k : array_like
         As for `flight_time`.
-    **options
+    out, where, dtype, casting : optional
         ``out`` (a pair of arrays), ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
 
     Returns
@@ -107,18 +109,18 @@ def position(t, theta, *, v, g, k=0.0, **options):
     The solution of the equations of motion in the projectile paper, as v t cos θ φ₁(-kt) and
     v t sin θ φ₁(-kt) - g t² φ₂(-kt).
     """
-    return serve(FUNCTIONS["position"], (t, theta, v, g), {"k": k}, **options)
+    return serve(FUNCTIONS["position"], (t, theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting)
 
 
-def best_angle(alpha, **options):
+def best_angle(alpha, out=None, where=True, dtype=None, casting="same_kind"):
     """Elevation of greatest range.
 
     Parameters
     ----------
     alpha : array_like
         k v/g, the resistance at launch speed over the weight, dimensionless; >= 0.
-    **options
-        ``out``, ``where``, ``dtype``, ``casting``, as for a NumPy ufunc.
+    out, where, dtype, casting : optional
+        As for a NumPy ufunc; `dtype` is float64 or float32.
 
     Returns
     -------
@@ -134,4 +136,4 @@ def best_angle(alpha, **options):
     -----
     Theorem 3 of the projectile paper, both of its cases in one form.
     """
-    return serve(FUNCTIONS["best_angle"], (alpha,), {}, **options)
+    return serve(FUNCTIONS["best_angle"], (alpha,), {}, out=out, where=where, dtype=dtype, casting=casting)
