@@ -23,7 +23,8 @@ class Untestable(ValueError):
 
 def value(expr, point, digits):
     """The value of an expression at a point, as an mpmath number computed with `digits` digits."""
-    symbols, unknown, function = _compiled(_plug_limits(sp.sympify(expr), point, digits))
+    expr, point = _plug_limits(sp.sympify(expr), point, digits)
+    symbols, unknown, function = _compiled(expr)
     missing = [*(s for s in symbols if s not in point), *unknown]
     if missing:
         raise Untestable(f"no value for {', '.join(map(str, missing))} in {expr}")
@@ -54,13 +55,17 @@ def _extra_functions(expr):
 
 
 def _plug_limits(expr, point, digits):
-    """Replace every Limit by its value very near the point; the distance is 10^-digits/4."""
-    if not expr.has(sp.Limit):
-        return expr
-    for limit in [e for e in sp.preorder_traversal(expr) if isinstance(e, sp.Limit)]:
-        f, x, at, direction = limit.args
-        expr = expr.xreplace({limit: _near(f, x, at, str(direction), point, digits)})
-    return expr
+    """Name every Limit, and add its value to the point: that of the function very near the place."""
+    limits = expr.atoms(sp.Limit)
+    if not limits:
+        return expr, point
+    values = {_name(e): _near(*e.args[:3], str(e.args[3]), point, digits) for e in limits}
+    return expr.xreplace({e: _name(e) for e in limits}), {**point, **values}
+
+
+@functools.lru_cache(maxsize=256)
+def _name(limit):
+    return sp.Dummy("limit", real=True)
 
 
 def _near(f, x, at, direction, point, digits):
@@ -69,8 +74,7 @@ def _near(f, x, at, direction, point, digits):
         place = sp.sign(at) / h
     else:
         place = at + h if direction == "+" else at - h
-    here = value(f, {**point, x: place}, 4 * digits)
-    return sp.Float(here, 4 * digits)
+    return value(f, {**point, x: place}, 4 * digits)
 
 
 def holds(statement, point) -> bool:
@@ -95,16 +99,15 @@ def holds(statement, point) -> bool:
     raise Untestable(f"not a statement: {statement!r}")
 
 
-@functools.lru_cache(maxsize=1024)
+@functools.lru_cache(maxsize=64)
 def _trials(claim):
-    """The trials of a claim, made once."""
+    """The trials of a claim, made once for all points."""
     return claim.trials()
 
 
 def _bind(point, values):
     """The point with the variables of a claim added; their values may depend on the point."""
-    given = {x: sp.sympify(v) for x, v in values.items()}
-    return {**point, **{x: v if v.is_number else v.subs(point) for x, v in given.items()}}
+    return {**point, **{x: sp.sympify(v).xreplace(point) for x, v in values.items()}}
 
 
 def sign(expr, point) -> int:
