@@ -29,6 +29,7 @@ from galileo_sym.derivations.projectile.shared import (
     identity_at,
     lead_positive,
     sine_of_u,
+    tidy_exponents,
 )
 from sympy import (
     And,
@@ -108,8 +109,7 @@ def substitution(thm3__exp_eq):
     named = Eq(tau, 1 / sp.expand(sign * under), evaluate=False)
     back = isolate(named, u)
     left = sp.cancel(thm3__exp_eq.lhs.subs(u, back.rhs))
-    (power,) = thm3__exp_eq.rhs.atoms(exp)
-    return And(named, back, Eq(left, exp(sp.cancel(power.args[0].subs(u, back.rhs))), evaluate=False))
+    return And(named, back, Eq(left, tidy_exponents(thm3__exp_eq.rhs.subs(u, back.rhs)), evaluate=False))
 
 
 @chapter.derive(

@@ -16,6 +16,7 @@ from galileo_sym.derivations.projectile.notation import (
     k,
     notation,
     q,
+    s,
     theta,
     u,
     v,
@@ -42,6 +43,7 @@ from galileo_sym.tactics import (
     implicit_derivative,
     inverse_between,
     isolate,
+    limit_by_parameter,
 )  # fmt: skip
 from galileo_sym.tactics.boxes import MINUS, PLUS
 
@@ -184,11 +186,13 @@ def denominator_negative(lemma__a, lemma__c__second):
     ),
     BELOW,
 )
-def numerator_positive(lemma__a, lemma__b, thm1__cor):
+def numerator_positive(lemma__a, lemma__b, support__s_param):
     """The numerator falls as u grows, towards 0 at u = -1."""
     falls = Eq(Derivative(G, u), sp.factor(sp.diff(G, u).subs(SLOPE, lemma__b.of(SLOPE))), evaluate=False)
     sign = compare_on(falls.rhs, sp.S.Zero, {**box_of(*lemma__a.parts), u: BEYOND})
-    limit = Eq(Limit(G, u, *thm1__cor.lhs.args[2:]), _at_minus_1(G, thm1__cor), evaluate=False)
+    in_s, u_of_s = support__s_param.of(W_u), support__s_param.of(u)
+    found = limit_by_parameter(G.subs(Y, in_s).subs(u, u_of_s), u, -1, "-", s, u_of_s, 0)
+    limit = Eq(Limit(G, u, -1, "-"), found, evaluate=False)
     return And(falls, sign, limit, above_limit(sign, limit, slope=falls))
 
 

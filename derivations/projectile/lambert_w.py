@@ -21,6 +21,7 @@ from galileo_sym.tactics import (
     least_value,
     monotone_on_half_line,
     other_branch,
+    require_real,
     root_of_product,
     undo,
 )  # fmt: skip
@@ -191,7 +192,8 @@ def result_3(res3__step4, res3__step3, def__W, def__T, claim__T_monotone, claim_
     equation = Eq(a * t + b + c * exp(d * t), 0, evaluate=False)
     check_root(equation, t, found.rhs)
     z, argument = res3__step4.lhs, res3__step3.rhs
-    step("a real root needs", claim__domain_W.subs(w, z).subs(res3__step3.lhs, argument))
+    least = step("a real root needs", claim__domain_W.subs(w, z).subs(res3__step3.lhs, argument))
+    require_real(res3__step4.rhs, least)
     falling, rising = _halves(claim__T_monotone)
     for claim, branch in ((rising, LambertW(q)), (falling, LambertW(q, -1))):
         round_trip, values = _branch(def__W, def__T, branch)

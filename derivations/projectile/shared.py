@@ -43,3 +43,8 @@ def lead_positive(fraction, symbol):
     top, bottom = sp.fraction(fraction)
     sign = -1 if sp.Poly(bottom, symbol).LC().is_negative else 1
     return (sign * top) / (sign * bottom).expand()
+
+
+def tidy_exponents(expr):
+    """Exponents as fractions in lowest terms."""
+    return expr.replace(lambda e: isinstance(e, exp), lambda e: exp(sp.cancel(e.args[0])))

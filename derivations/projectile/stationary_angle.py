@@ -30,6 +30,7 @@ from galileo_sym.derivations.projectile.shared import (
     W_a,
     identity_at,
     sine_of_u,
+    tidy_exponents,
 )
 from sympy import (
     And,
@@ -74,6 +75,11 @@ def _condition(stationary):
     return next(e for e in same.args if e.has(tan))
 
 
+def _vanishing(equation):
+    """What an equation says to be 0."""
+    return equation.lhs - equation.rhs
+
+
 U_OF_ALPHA = -1 - alpha * sin(theta)
 Y_OF_ALPHA = LambertW(U_OF_ALPHA * exp(U_OF_ALPHA))
 FACTOR_OF_ALPHA = tan(theta) ** 2 + (U_OF_ALPHA + 1) * Y_OF_ALPHA / ((Y_OF_ALPHA + 1) * U_OF_ALPHA)
@@ -93,7 +99,7 @@ FACTOR_OF_ALPHA = tan(theta) ** 2 + (U_OF_ALPHA + 1) * Y_OF_ALPHA / ((Y_OF_ALPHA
 )
 def only_alpha(thm2__stationary, lemma__b, def__uyR, def__alpha):
     """Where tan^2 + dy/du vanishes, k, v and g enter through u alone, and there through alpha."""
-    factor = _condition(thm2__stationary).lhs
+    factor = _vanishing(_condition(thm2__stationary))
     resistance = isolate(def__alpha.equation, k).rhs
     named = sp.cancel(def__uyR.of(U(k, theta)).subs(k, resistance))
     explicit = factor.subs(SLOPE, lemma__b.of(SLOPE)).subs(Y, def__uyR.of(Y)).subs(u, named)
@@ -139,8 +145,7 @@ def exponential_equation(support__y_of_u_at_max, lemma__b__implicit):
     both = (sp.powsimp(side / (u * exp(Y))) for side in (lemma__b__implicit.lhs, lemma__b__implicit.rhs))
     ratio = step("divide by u e^y", Eq(*both))
     found = support__y_of_u_at_max.of(Y)
-    (power,) = ratio.rhs.atoms(exp)
-    return Eq(sp.cancel(ratio.lhs.subs(Y, found)), exp(sp.cancel(power.args[0].subs(Y, found))), evaluate=False)
+    return Eq(sp.cancel(ratio.lhs.subs(Y, found)), tidy_exponents(ratio.rhs.subs(Y, found)), evaluate=False)
 
 
 @chapter.derive(

@@ -72,9 +72,9 @@ def root_of_product(product: sp.Eq, branch: sp.Eq, value) -> sp.Eq:
     z = next((e.args[0] for e in sp.Mul.make_args(product.lhs) if isinstance(e, sp.exp)), None)
     if z is None or is_zero(product.lhs - z * sp.exp(z)) is None:
         raise DerivationError(f"the left side of {product} is not z*exp(z)")
-    known = branch.subs(value, argument)
-    inverse = next((e.args[0] for e in sp.Mul.make_args(known.rhs) if isinstance(e, sp.exp)), None)
-    if inverse is None or known.rhs != inverse * sp.exp(inverse) or known.lhs != argument:
+    known = branch.rhs.subs(value, argument)
+    inverse = next((e.args[0] for e in sp.Mul.make_args(known) if isinstance(e, sp.exp)), None)
+    if inverse is None or known != inverse * sp.exp(inverse) or branch.lhs != value:
         raise DerivationError(f"{branch} does not say that W(q)*exp(W(q)) is q")
     return sp.Eq(z, inverse, evaluate=False)
 
@@ -107,10 +107,16 @@ def solve_linear_exponential(result3: sp.Eq, names, equation: sp.Eq, unknown, ex
     put = dict(zip(names, (unknown, *(value for _, value in coefficients.items())), strict=True))
     root = simplify_inside(result3.rhs.subs(put, simultaneous=True))
     (w,) = root.atoms(sp.LambertW)
-    if is_zero(exists.lhs - w.args[0]) is None or is_zero(exists.rhs + sp.exp(-1)) is None:
-        raise DerivationError(f"{exists} is not the condition for {w} to be real")
+    require_real(w, exists)
     check_root(equation, unknown, root)
     return sp.Eq(unknown, root, evaluate=False)
+
+
+def require_real(w, exists):
+    """Raise unless `exists` says that the argument of W is at least -1/e, where W is real."""
+    told = isinstance(exists, sp.Ge) and is_zero(exists.lhs - w.args[0]) and is_zero(exists.rhs + sp.exp(-1))
+    if not told:
+        raise DerivationError(f"{exists} is not the condition for {w} to be real")
 
 
 def simplify_inside(expr):
