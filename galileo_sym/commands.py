@@ -20,7 +20,7 @@ class UsageError(Exception):
 
 def derive(options) -> int:
     """Rerun derivations and print a row for each, or tell them."""
-    from galileo_sym.ledger import Ledger, UnknownEntry, tell
+    from galileo_sym.ledger import Ledger, UnknownEntry, tell, tell_chain
 
     ledger = Ledger.load()
     try:
@@ -32,7 +32,7 @@ def derive(options) -> int:
     if options.json:
         print(json.dumps([_as_row(e) for e in entries], indent=2))
     elif options.show:
-        print("\n".join(tell(e) for e in entries))
+        print("\n".join(tell(e) + tell_chain(e, ledger) for e in entries))
     else:
         _print_table(entries)
     return 0 if all(_holds(e) for e in entries) else 1

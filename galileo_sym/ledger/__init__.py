@@ -6,12 +6,12 @@ from .domain import NONNEGATIVE, POSITIVE, REAL, Domain
 from .notation import LENGTH, MASS, ONE, TIME, Notation
 from .predicates import ExactlyOneRoot, Independent, StrictlyDecreasing, StrictlyIncreasing, TracesOnce, UniqueMaximum
 from .statement import Chapter, Erratum
-from .tell import tell, tell_chapter
+from .tell import tell, tell_chain, tell_chapter
 from .verdict import Kind, Verdict
 
 __all__ = [
     "LENGTH", "MASS", "NONNEGATIVE", "ONE", "POSITIVE", "REAL", "TIME",
     "Chapter", "DerivationError", "Domain", "Entry", "Erratum", "ExactlyOneRoot", "Independent", "Kind", "Ledger",
     "Notation", "Premise", "Step", "StrictlyDecreasing", "StrictlyIncreasing", "TracesOnce", "UniqueMaximum",
-    "UnknownEntry", "Verdict", "step", "tactic", "tell", "tell_chapter",
+    "UnknownEntry", "Verdict", "step", "tactic", "tell", "tell_chain", "tell_chapter",
 ]  # fmt: skip

@@ -191,13 +191,14 @@ class Ledger(Mapping):
         progress : callable, optional
             Called with (done, total, id) as verdicts come in.
         """
-        todo = [e for e in self._with_premises(entries) if "own_verdict" not in vars(e)]
+        todo = [e for e in self.with_premises(entries) if "own_verdict" not in vars(e)]
         for done, (identifier, verdict) in enumerate(verdicts_of([e.id for e in todo], processes, self), 1):
             vars(self[identifier])["own_verdict"] = verdict
             if progress:
                 progress(done, len(todo), identifier)
 
-    def _with_premises(self, entries):
+    def with_premises(self, entries: list[Entry]) -> list[Entry]:
+        """Some entries, and all that they stand on."""
         found: dict[str, Entry] = {}
         waiting = list(entries)
         while waiting:

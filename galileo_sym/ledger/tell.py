@@ -7,6 +7,8 @@ import sympy as sp
 from .book import Ledger
 from .check import POINTS
 
+WIDTH = 150  # of a line of the chain; longer statements are cut
+
 
 def tell(entry) -> str:
     """The derivation of an entry: statement, assumptions, premises, steps, result, verdict."""
@@ -32,6 +34,35 @@ def tell(entry) -> str:
         if entry.erratum_verdict:
             lines += [f"            printed: {_flat(entry.erratum.printed)}", f"            {entry.erratum_verdict}"]
     return "\n".join(lines) + "\n"
+
+
+def tell_chain(entry, ledger) -> str:
+    """What an entry stands on, laws and definitions first: a line for each statement, as derived."""
+    below = [e for e in ledger.with_premises([entry]) if e is not entry]
+    if not below:
+        return ""
+    width = max(len(e.id) for e in below)
+    lines = [f"    {e.id:{width}s}  {_cut(_flat(e.result), WIDTH - width)}" for e in _in_order(below, ledger)]
+    return "\n".join(["  stands on, in the order of derivation (tell each with its own id)", *lines]) + "\n"
+
+
+def _in_order(entries, ledger):
+    """Premises before what is derived from them."""
+    wanted, done = {e.id for e in entries}, {}
+
+    def visit(entry):
+        if entry.id not in done:
+            for premise in entry.premises:
+                visit(ledger[premise])
+            done[entry.id] = entry
+
+    for entry in entries:
+        visit(entry)
+    return [e for i, e in done.items() if i in wanted]
+
+
+def _cut(text, width):
+    return text if len(text) <= width else text[: width - 1] + "…"
 
 
 def _flat(expr):
