@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy.logic.boolalg import BooleanAtom
 
 from .domain import Domain
 from .inventory import Item, inventory
@@ -91,6 +92,8 @@ class Chapter:
     def _enter(self, declaration):
         if declaration.id in self.declarations:
             raise ValueError(f"{declaration.id} is declared twice in {self.name}")
+        if isinstance(declaration.printed, BooleanAtom):
+            raise ValueError(f"{declaration.id} says nothing: SymPy made it {declaration.printed}; use evaluate=False")
         self.declarations[declaration.id] = declaration
         return declaration.printed
 

@@ -1,0 +1,11 @@
+"""One ledger for a test process: what one test has derived, the next one need not."""
+
+import pytest
+
+from galileo_sym.ledger import Ledger
+
+
+@pytest.fixture(scope="session")
+def ledger():
+    """The ledger of both papers; entries derive on access."""
+    return Ledger.load()
