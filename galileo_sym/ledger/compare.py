@@ -13,7 +13,7 @@ from sympy.logic.boolalg import BooleanAtom
 from . import numeric
 from .check import POINTS, counterexample, digits, ready_to_try
 from .domain import EmptyDomain
-from .environment import definitions
+from .environment import definitions, resolve
 from .equivalence import equivalent
 from .verdict import Kind, Verdict
 
@@ -29,7 +29,7 @@ def compare(statement, derived, declaration, given) -> Verdict:
         proved, refuted (with a counterexample), or checked (no difference found, and no proof either).
     """
     start = time.perf_counter()
-    kind, method, example = _compare(declaration.notation.adopt(statement), derived, declaration, given)
+    kind, method, example = _compare(declaration.notation.adopt(statement, derived), derived, declaration, given)
     return Verdict(kind, method, time.perf_counter() - start, example)
 
 
@@ -43,7 +43,7 @@ def _compare(other, derived, declaration, given):
         failure = None if tautology else counterexample(other, declaration.domain, known, declaration.id)
         if failure is not None:
             return Kind.REFUTED, "the derived statement holds here, the other does not", failure
-        how = equivalent(derived, other)
+        how = equivalent(derived, other) or _with_definitions(derived, other, declaration.domain, known, own)
         if how:
             return Kind.PROVED, how, None
         failure = _other_way(other, derived, declaration.domain, known, declaration.id)
@@ -54,6 +54,12 @@ def _compare(other, derived, declaration, given):
     if failure is not None:
         return Kind.REFUTED, "the other statement holds here, the derived one does not", failure
     return Kind.CHECKED, "equal in numbers only", None
+
+
+def _with_definitions(derived, other, domain, known, own):
+    """Equivalence once both are written with the same quantities: s(t) in one, its formula in the other."""
+    put = {k: v for k, v in known.items() if k not in own}
+    return equivalent(*(resolve(e, put, frozenset(domain.ranges)) for e in (derived, other)))
 
 
 def _other_way(other, derived, domain, given, seed):

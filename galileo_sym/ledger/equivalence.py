@@ -25,6 +25,9 @@ def equivalent(one, other) -> str | None:
         return _relations(one, other)
     if isinstance(one, _UNORDERED) and one.func == other.func:
         return _in_any_order(one, other)
+    for whole, single in ((one, other), (other, one)):
+        if isinstance(whole, sp.And) and not isinstance(single, sp.And):  # the same thing said twice
+            return _strongest([equivalent(part, single) for part in whole.args])
     if isinstance(one, sp.Not | sp.Implies) and one.func == other.func:
         return _pairwise(one.args, other.args)
     return None

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 MASS, LENGTH, TIME = sp.symbols("mass length time", positive=True)
 ONE = sp.S.One
@@ -45,24 +47,34 @@ class Notation:
         if name in self.symbols or name in self.functions:
             raise ValueError(f"the name {name!r} is taken in the notation of {self.paper}: choose another")
 
-    def adopt(self, statement):
+    def adopt(self, statement, like=sp.true):
         """Read a statement of a user's in this notation: parse text, and take symbols by name.
 
         Parameters
         ----------
         statement : sympy Boolean, or str
             For example ``Eq(x, t*v)`` or its text.
+        like : sympy Boolean
+            A statement of ours; where it has f(t) once, a bare symbol f of the user's is read as that.
         """
-        names = {**self.symbols, **self.functions, "W": sp.LambertW}
+        applied = {}
+        for f in like.atoms(AppliedUndef):
+            applied.setdefault(f.func.__name__, set()).add(f)
+        bare = {name for name in applied if name not in self.symbols}
         if isinstance(statement, str):
+            called = {n: f for n, f in self.functions.items() if re.search(rf"\b{n}\s*\(", statement)}
+            names = {**self.symbols, **{n: sp.Symbol(n) for n in bare}, **called, "W": sp.LambertW}
             statement = sp.sympify(statement, locals=names)
         statement = sp.sympify(statement)
-        foreign = {s: self.symbols[s.name] for s in statement.atoms(sp.Symbol) if self._differs(s)}
-        statement = statement.xreplace(foreign)
-        for applied in statement.atoms(sp.core.function.AppliedUndef):
-            ours = self.functions.get(applied.func.__name__)
-            if ours is not None and ours != applied.func:
-                statement = statement.replace(applied.func, ours)
+        table = {s: self.symbols[s.name] for s in statement.atoms(sp.Symbol) if self._differs(s)}
+        for symbol in statement.atoms(sp.Symbol):
+            if symbol.name in bare and len(applied[symbol.name]) == 1:
+                table[symbol] = next(iter(applied[symbol.name]))
+        statement = statement.xreplace(table)
+        for theirs in statement.atoms(AppliedUndef):
+            ours = self.functions.get(theirs.func.__name__)
+            if ours is not None and ours != theirs.func:
+                statement = statement.replace(theirs.func, ours)
         return statement
 
     def _differs(self, symbol):
