@@ -34,7 +34,10 @@ def table():
     dates = sorted({c["date"] for _, c in made})
     lines = ["| function | no force | friction | drag | both |", "|---|---|---|---|---|"]
     lines += ["| " + " | ".join(cells) + " |" for cells, _ in made]
-    lines += ["", f"Sampled maxima in ulp over {points} points, both back ends (`generated/certificates/`, {dates[-1]})."]
+    lines += [
+        "",
+        f"Sampled maxima in ulp over {points} points, both back ends (`generated/certificates/`, {dates[-1]}).",
+    ]
     return "\n".join(lines) + "\n"
 
 
@@ -48,7 +51,9 @@ def main() -> int:
         README.write_text(renewed, encoding="utf-8")
         return 0
     if renewed != text:
-        print("README.md: the accuracy table is not that of the certificates; run python tools/accuracy_table.py --write")
+        print(
+            "README.md: the accuracy table is not that of the certificates; run python tools/accuracy_table.py --write"
+        )
     return int(renewed != text)
 
 
