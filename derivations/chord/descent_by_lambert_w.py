@@ -24,6 +24,7 @@ DROP = Domain({g: POSITIVE, D: POSITIVE, gamma: POSITIVE})
 LINE = Domain({w: REAL})
 FALLING = Interval(-oo, -1)
 RISING = Interval(-1, oo)
+BOTH_SIDES = Domain({w: sp.Union(FALLING, RISING, evaluate=False)})  # so that w = -1, where F is least, is tried
 
 ONLY_LIMIT = Erratum(
     ("C7",),
@@ -54,7 +55,7 @@ def f_monotone(eq34):
     return And(monotone(eq34.rhs, w, FALLING, before), monotone(eq34.rhs, w, RISING, after))
 
 
-@chapter.derive("chord.claim.F-minimum", And(Ge(w * exp(w), -exp(-1)), Eq(F(-1), -exp(-1))), LINE)
+@chapter.derive("chord.claim.F-minimum", And(Ge(w * exp(w), -exp(-1)), Eq(F(-1), -exp(-1))), BOTH_SIDES)
 def f_minimum(eq34, claim__F_monotone):
     """F falls before w = -1 and rises after it."""
     falls, rises = (part_of(claim__F_monotone, kind) for kind in (StrictlyDecreasing, StrictlyIncreasing))

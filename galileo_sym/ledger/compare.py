@@ -8,13 +8,14 @@ import time
 import mpmath
 import sympy as sp
 from mpmath import mp
+from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import BooleanAtom
 
 from . import numeric
 from .check import POINTS, counterexample, digits, ready_to_try
 from .domain import EmptyDomain
 from .environment import definitions, resolve
-from .equivalence import equivalent
+from .equivalence import equivalent, is_zero
 from .verdict import Kind, Verdict
 
 STARTS = 6  # starting values for the search of a root of the other statement
@@ -57,32 +58,56 @@ def _compare(other, derived, declaration, given):
 
 
 def _with_definitions(derived, other, domain, known, own):
-    """Equivalence once both are written with the same quantities: s(t) in one, its formula in the other."""
-    put = {k: v for k, v in known.items() if k not in own}
-    return equivalent(*(resolve(e, put, frozenset(domain.ranges)) for e in (derived, other)))
+    """Equivalence once both are written with the same quantities: s(t) in one, its formula in the other.
+
+    What both speak of stays: with it put in, any two true statements become 0 = 0.
+    """
+    put = {k: v for k, v in known.items() if k not in own and derived.has(k) != other.has(k)}
+    pair = [resolve(e, put, frozenset(domain.ranges)) for e in (derived, other)]
+    return None if any(map(_says_nothing, pair)) else equivalent(*pair)
+
+
+def _says_nothing(statement):
+    """Whether a statement, or a part of it, has become an identity."""
+    if isinstance(statement, sp.And):
+        return any(map(_says_nothing, statement.args))
+    if isinstance(statement, sp.Eq):
+        return all(is_zero(a - b) is not None for a, b in _sides(statement))
+    return isinstance(statement, BooleanAtom)
+
+
+def _sides(equation):
+    tuples = all(isinstance(side, sp.Tuple) for side in equation.args)
+    return zip(*equation.args, strict=True) if tuples else [equation.args]
 
 
 def _other_way(other, derived, domain, given, seed):
-    """A point where `other` holds and `derived` fails, looked for by moving one dependent variable."""
-    for symbol in sorted(_dependent(derived, domain, given), key=str):
-        found = _move(symbol, other, derived, domain, given, seed)
+    """A point where `other` holds and `derived` fails, looked for by moving one dependent quantity."""
+    for quantity in sorted(_dependent(derived, domain, given), key=str):
+        found = _move(quantity, other, derived, domain, given, seed)
         if found is not None:
             return found
     return None
 
 
 def _dependent(derived, domain, given):
-    free = {s for s in derived.free_symbols if s in given and s not in domain.ranges}
-    return {s for s in free if isinstance(s, sp.Symbol)}
+    """Symbols, f(t) and derivatives that a derived statement speaks of, and that are not independent variables."""
+    kinds = sp.Symbol | AppliedUndef | sp.Derivative
+    spoken = (e for e in sp.preorder_traversal(derived) if isinstance(e, kinds))
+    return {e for e in spoken if e in given and e not in domain.ranges}
 
 
-def _move(symbol, other, derived, domain, given, seed):
-    known = {k: v for k, v in given.items() if k != symbol}
-    loose_other, _ = ready_to_try(other, domain, known)
-    loose_derived, ranges = ready_to_try(derived, domain, known)
+def _move(quantity, other, derived, domain, given, seed):
+    symbol = _as_symbol(quantity)
+    statements = [statement.xreplace({quantity: symbol}) for statement in (other, derived)]
+    if any(_speaks_of(quantity, statement) for statement in statements):
+        return None  # f(t) does not move without its derivatives
+    known = {k: v for k, v in given.items() if k != quantity}
+    loose_other, _ = ready_to_try(statements[0], domain, known)
+    loose_derived, ranges = ready_to_try(statements[1], domain, known)
     if symbol not in loose_derived.free_symbols:
         return None
-    place, _ = ready_to_try(sp.Eq(symbol, given[symbol], evaluate=False), domain, known)
+    place, _ = ready_to_try(sp.Eq(symbol, given[quantity], evaluate=False), domain, known)
     rng = random.Random(seed)
     for point in type(domain)(ranges).points(POINTS // 2, seed):
         try:
@@ -92,16 +117,29 @@ def _move(symbol, other, derived, domain, given, seed):
         for guess in _roots(loose_other, symbol, point, here, rng):
             moved = {**point, symbol: guess}
             if numeric.holds(loose_other, moved) and not numeric.holds(loose_derived, moved):
-                return {str(s): digits(v) for s, v in moved.items()}
+                return {str(quantity if s == symbol else s): digits(v) for s, v in moved.items()}
     return None
 
 
+def _as_symbol(quantity):
+    """A symbol of the same sign, to be moved in the place of f(t) or a derivative."""
+    if isinstance(quantity, sp.Symbol):
+        return quantity
+    signs = {name: True for name in ("positive", "nonnegative") if getattr(quantity, f"is_{name}")}
+    return sp.Dummy("moved", real=True, **signs)
+
+
+def _speaks_of(quantity, statement):
+    """Whether the unknown function of a quantity is left in a statement."""
+    functions = {f.func for f in quantity.atoms(AppliedUndef)}
+    return any(f.func in functions for f in statement.atoms(AppliedUndef))
+
+
 def _roots(statement, symbol, point, near, rng):
-    """Values of `symbol` that satisfy a statement: any, if it does not restrict it; else roots near and far."""
-    if symbol not in statement.free_symbols:
-        return [near + mpmath.mpf(1) / 3]
-    if not isinstance(statement, sp.Eq):
-        return []
+    """Values of `symbol` that may satisfy a statement: roots of an equation near and far, for others any beside."""
+    if symbol not in statement.free_symbols or not isinstance(statement, sp.Eq):
+        beside = (near + mpmath.mpf(1) / 3, 2 * near, near / 2, near - mpmath.mpf(1) / 3, -near)
+        return [value for value in beside if _allowed(symbol, value)]
     found = []
     for _ in range(STARTS):
         start = near * mpmath.mpf(rng.uniform(-3, 3)) + mpmath.mpf(rng.uniform(-1, 1))
