@@ -137,7 +137,8 @@ def _speaks_of(quantity, statement):
 
 def _roots(statement, symbol, point, near, rng):
     """Values of `symbol` that may satisfy a statement: roots of an equation near and far, for others any beside."""
-    if symbol not in statement.free_symbols or not isinstance(statement, sp.Eq):
+    plain = isinstance(statement, sp.Eq) and not isinstance(statement.lhs, sp.Tuple)
+    if symbol not in statement.free_symbols or not plain:
         beside = (near + mpmath.mpf(1) / 3, 2 * near, near / 2, near - mpmath.mpf(1) / 3, -near)
         return [value for value in beside if _allowed(symbol, value)]
     found = []
