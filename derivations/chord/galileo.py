@@ -114,7 +114,12 @@ def descent_time(eq2, eq3):
     return substitute(eq2.equation, {s_AB: eq3.of(s_AB)})
 
 
-@chapter.derive("chord.claim.paradox-AB", Independent(sqrt(2 * D / g), theta), CHORD)
+@chapter.derive(
+    "chord.claim.paradox-AB",
+    Independent(sqrt(2 * D / g), theta),
+    CHORD,
+    erratum=Erratum(("C10",), "for |theta| < pi/2: at theta = ±pi/2 the chord has length 0 and no descent time"),
+)
 def paradox(eq4):
     """The angle is not in (4)."""
     return Independent(eq4.of(t_AB), theta)
@@ -223,6 +228,7 @@ def centre_acceleration(eq9):
         sp.atan(x / y),
     ),
     CIRCLE,
+    erratum=Erratum(("C10",), "the whole circle takes -pi/2 <= theta <= pi/2; both ends give the point A"),
 )
 def whole_circle(eq5, eq6, eq9):
     """Seen from the centre, the bead is at the angle 2 theta, which runs through a whole turn."""
