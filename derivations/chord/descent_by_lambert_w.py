@@ -135,9 +135,10 @@ def principal_branch(claim__W_branches, claim__F_monotone, eq34):
     DROP,
     erratum=ONLY_LIMIT,
 )
-def descent_time(eq33, claim__W_branches, claim__principal_branch):
+def descent_time(eq33, eq34, claim__W_branches, claim__principal_branch):
     """Invert F on the branch that gives a positive time."""
     argument, value = eq33.lhs.args[0], eq33.rhs
+    step("(33) with F written out", Eq(eq34.rhs.subs(w, argument), value, evaluate=False))
     drop = gamma**2 * D / g
     positive = part_of(claim__principal_branch, sp.StrictGreaterThan).gts.subs(c, drop)
     for branch in (W_0, W_1):

@@ -90,6 +90,7 @@ def distance(eq40):
     ),
     MOTION_LEFT,
     erratum=CLOSED,
+    elsewhere=("chord.eq14", "chord.eq28"),
 )
 def negative_angles(eq14, eq28, eq40):
     """The drag added to (14): (40) with -mu for mu."""
@@ -134,6 +135,7 @@ EQ43 = Eq(
         EQ43,
         Domain({**BOTH, D: POSITIVE, theta: sp.FiniteSet(LAST)}, where={t_AB: sqrt(2 * D / g)}),
     ),
+    elsewhere=("chord.eq30", "chord.eq36"),
 )
 def descent_time(eq42, eq30, eq36, claim__negative_theta_sign):
     """(42), divided by n = 1 - mu tan|theta|, is (30) with D/n for D: so the time is (36) with D/n for D."""
@@ -247,11 +249,10 @@ chapter.given("chord.eq48", And(Eq(xt, x / Y(t)), Eq(yt, y / Y(t))), Domain({t: 
 @chapter.derive(
     "chord.eq49",
     Eq((xt + sigma * mu) ** 2 + (yt - 1) ** 2, 1 + mu**2),
-    BEADS,
+    Domain(BEADS.ranges, where={**BEADS.where, Y(t): FALLEN / 2}),
 )
-def rescaled(eq44, eq46, eq47, eq48, eq45):
+def rescaled(eq44, eq46, eq47, eq48):
     """Divide (44) by Y(t)^2."""
-    step("half the fall", eq45.equation)
     put = {c: isolate(Eq(name, eq48.of(name), evaluate=False), c).rhs for c, name in ((x, xt), (y, yt))}
     left, right = (side.subs(put).subs({X(t): eq46.rhs, R(t): eq47.rhs}) for side in eq44.equation.args)
     return Eq(sp.expand(left / Y(t) ** 2), sp.expand(right / Y(t) ** 2), evaluate=False)

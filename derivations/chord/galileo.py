@@ -26,6 +26,7 @@ from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,
     Chapter,
+    DerivationError,
     Domain,
     Erratum,
     Independent,
@@ -33,6 +34,7 @@ from galileo_sym.ledger import (
     step,
     tell_chapter,
 )  # fmt: skip
+from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
     at_rest,
     eliminate_angle,
@@ -40,7 +42,6 @@ from galileo_sym.tactics import (
     read_circle,
     solve_motion,
     start_of,
-    substitute,
     trace_circle,
 )
 
@@ -111,7 +112,9 @@ def chord_length(setup):
 @chapter.derive("chord.eq4", Eq(t_AB, sqrt(2 * D / g)), CHORD, erratum=LENGTH_ZERO)
 def descent_time(eq2, eq3):
     """Put the length of the chord in: the cosines cancel."""
-    return substitute(eq2.equation, {s_AB: eq3.of(s_AB)})
+    upright = sp.Symbol("upright", positive=True)  # the cosine, positive inside the assumptions
+    plain = {cos(theta): upright}
+    return Eq(t_AB, sp.simplify(eq2.rhs.subs(plain).subs(s_AB, eq3.of(s_AB).subs(plain))))
 
 
 @chapter.derive(
@@ -248,13 +251,20 @@ def whole_circle(eq5, eq6, eq9):
 )
 def expanding_circle(eq5, eq6, eq9, claim__centre_accel):
     """All beads are on (9), which passes through A; the centre has a constant acceleration."""
-    at_a = eq9.equation.subs({x: 0, y: 0})
-    on_it = Eq(eq9.lhs.subs({x: _without_s(eq5, x).rhs, y: _without_s(eq6, y).rhs}), eq9.rhs, evaluate=False)
-    step("every bead is on the circle", on_it)
-    step("A is on the circle", at_a) if at_a != sp.true else None
+    on_circle(eq9.equation, eq5, eq6)
+    if is_zero((eq9.lhs - eq9.rhs).subs({x: 0, y: 0})) is None:
+        raise DerivationError("(9) does not pass through A")
     centre = claim__centre_accel.of(x_c(t)), claim__centre_accel.of(y_c(t))
     through_a = Eq(x_c(t) ** 2 + y_c(t) ** 2, centre[0] ** 2 + centre[1] ** 2, evaluate=False)
     return And(eq9.equation, through_a, Eq(CENTRE, Tuple(*centre)), Eq(y_c(t).diff(t, 2), sp.diff(centre[1], t, 2)))
+
+
+def on_circle(circle, eq5, eq6):
+    """Refuse a circle on which the beads (5), (6) are not."""
+    bead = {x: _without_s(eq5, x).rhs, y: _without_s(eq6, y).rhs}
+    if is_zero((circle.lhs - circle.rhs).subs(bead)) is None:
+        raise DerivationError(f"the beads {bead} are not on {circle}")
+    step("a bead", Eq(Tuple(x, y), Tuple(bead[x], bead[y]), evaluate=False))
 
 
 @chapter.derive("chord.eq11", Eq(tau, sqrt(2 * D / g)), FALL)
@@ -270,10 +280,8 @@ def free_fall(eq1):
 )
 def circle_at_tau(eq9, eq11, eq5, eq6):
     """Put t = tau in (9): the circle ABC."""
-    at_tau = eq9.equation.subs(t, tau).subs(tau, eq11.rhs)
-    for coordinate, premise in ((x, eq5), (y, eq6)):
-        step("coordinate of a bead at tau", _without_s(premise, coordinate))
-    return at_tau
+    on_circle(eq9.equation, eq5, eq6)
+    return eq9.equation.subs(t, tau).subs(tau, eq11.rhs)
 
 
 if __name__ == "__main__":

@@ -43,6 +43,7 @@ from galileo_sym.tactics import (
     solve_motion,
     start_of,
     substitute,
+    unhide,
     values_ordered,
 )
 
@@ -172,10 +173,9 @@ def time_along_chord(eq15):
     """The bead is at B when s = s_AB; only the positive root is a time after the release."""
     arrival = step("put back in (15)", Eq(s_AB, eq15.rhs.subs(t, t_AB), evaluate=False))
     driving = sp.Symbol("driving", positive=True)
-    solved = arrival.subs(sp.expand(arrival.rhs), arrival.rhs)
-    hidden = Eq(s_AB, g * t_AB**2 / 2 * driving, evaluate=False)
-    pull = sp.simplify(solved.rhs / (g * t_AB**2 / 2))
-    return isolate(hidden, t_AB).subs(driving, pull)
+    pull = sp.simplify(arrival.rhs / (g * t_AB**2 / 2))
+    root = isolate(Eq(s_AB, g * t_AB**2 / 2 * driving, evaluate=False), t_AB)
+    return Eq(t_AB, unhide(root.rhs, {driving: pull}))
 
 
 EQ17 = Eq(t_AB, sqrt((2 * D / g) / (1 - mu * tan(theta))))
@@ -209,7 +209,7 @@ def descent_time_left(eq14, eq3, setup):
     pull = sp.simplify(arrival.rhs / (g * t_AB**2 / 2))
     driving = sp.Symbol("driving", positive=True)
     root = isolate(Eq(s_AB, g * t_AB**2 / 2 * driving, evaluate=False), t_AB)
-    return Eq(t_AB, over_cosine(root.rhs.subs({driving: pull, s_AB: eq3.of(s_AB)})))
+    return Eq(t_AB, over_cosine(unhide(root.rhs, {driving: pull, s_AB: eq3.of(s_AB)})))
 
 
 @chapter.derive(

@@ -300,15 +300,17 @@ def slope_at_vertical(arc):
         Eq(Tuple(x, y), Tuple(K * (sqrt(1 + mu**2) - mu), K)),
         Le((x - mu * K) ** 2 + (y - K) ** 2, K**2 * (1 + mu**2)),
     ),
-    Domain({g: POSITIVE, mu: POSITIVE, t: POSITIVE, theta: sp.FiniteSet(LAST / 2)}),
+    Domain({g: POSITIVE, mu: POSITIVE, t: POSITIVE, theta: sp.FiniteSet(LAST / 2)}, where={theta_c: atan(mu)}),
 )
-def spindle(claim__union_of_arcs, support__lens_parametrisation, support__theta_c_max, eq21, eq24, eq23):
+def spindle(claim__union_of_arcs, support__lens_parametrisation, support__theta_c_max, eq21, eq24, eq13):
     """Widest where 2 theta + theta_c = pi/2; the right arc lies inside the left circle."""
     arc = next(a for a in claim__union_of_arcs.parts if a.args[4] == sp.Ge(x, 0))
     across = next(e for e in support__lens_parametrisation.parts if e.lhs.has(x))
     acute = isolate(support__theta_c_max.equation, theta_max).rhs
     widest = sine_maximum(across.rhs, theta, theta_c, (sp.S.Zero, acute))
-    step("the widest point", Eq(theta, widest.subs(theta_c, eq23.of(theta_c)), evaluate=False))
+    known = {theta_c: isolate(support__theta_c_max.equation, theta_c).rhs}
+    place_of_widest = sp.expand(widest.subs(known)).subs(theta_max, eq13.of(theta_max))
+    step("the widest point", Eq(theta, place_of_widest, evaluate=False))
     height = next(e for e in support__lens_parametrisation.parts if e.lhs.has(y))
     place = [isolate(e.subs(theta, widest), c).rhs for e, c in ((across, x), (height, y))]
     inside = sp.factor((eq24.lhs - eq24.rhs) - (eq21.lhs - eq21.rhs))
@@ -318,7 +320,7 @@ def spindle(claim__union_of_arcs, support__lens_parametrisation, support__theta_
     seen = read_circle(eq24.equation, x, y)
     disc = Le((x - seen.centre[0]) ** 2 + (y - seen.centre[1]) ** 2, seen.radius**2, evaluate=False)
     return And(
-        UniqueMaximum(arc.args[0][0], theta, RIGHT, LAST / 2),
+        UniqueMaximum(arc.args[0][0], theta, arc.args[2], place_of_widest),
         Eq(Tuple(x, y), Tuple(*place)),
         disc,
     )

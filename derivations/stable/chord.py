@@ -46,9 +46,9 @@ def coordinates(distance):
 
 
 @chapter.derive("stable.chord.descent_time.free", Eq(t_AB, TIME), Domain({**DROP, **EVERY}))
-def time_free(eq2, eq3):
-    """Nothing cancels: (2) with the length (3)."""
-    return Eq(t_AB, sp.simplify(eq2.rhs.subs(sp.Symbol("s_AB", positive=True), eq3.rhs)))
+def time_free(eq4):
+    """Nothing cancels in (4): it is its own twin."""
+    return Eq(t_AB, eq4.of(t_AB))
 
 
 @chapter.derive("stable.chord.descent_time.friction", Eq(t_AB, SLOW_TIME), Domain({**DROP, **MU, **SLIDING}))
@@ -70,6 +70,7 @@ def in_driving_share(expr):
     "stable.chord.descent_time.drag",
     Eq(t_AB, TIME * descent_factor(gamma * TIME)),
     Domain({**DROP, **GAMMA}),
+    elsewhere=("chord.eq4",),
 )
 def time_drag(eq36, eq4):
     """W is taken out of (36) by the factor at gamma t0, t0 the time (4) without drag."""
@@ -80,6 +81,7 @@ def time_drag(eq36, eq4):
     "stable.chord.descent_time.friction_drag",
     Eq(t_AB, SLOW_TIME * descent_factor(gamma * SLOW_TIME)),
     Domain({**DROP, **MU, **GAMMA, **SLIDING}),
+    elsewhere=("chord.eq17", "chord.eq18"),
 )
 def time_friction_drag(eq43, eq17, eq18):
     """The same in (43), t0 the time (17), (18) without drag."""

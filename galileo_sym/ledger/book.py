@@ -97,7 +97,9 @@ class Entry:
     @cached_property
     def own_verdict(self) -> Verdict:
         """The verdict with the premises taken as true."""
-        return judge(self.declaration, self._outcome, {i: self._ledger[i].result for i in self.premises})
+        below = {i: self._ledger[i] for i in self.premises}
+        premises = {i: e.result for i, e in below.items()}
+        return judge(self.declaration, self._outcome, premises, {i: e.declaration.domain for i, e in below.items()})
 
     @cached_property
     def verdict(self) -> Verdict:

@@ -6,11 +6,12 @@ import time
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from . import dimensions, numeric
 from .derivation import Premise, recording
 from .domain import REAL, Domain, EmptyDomain
-from .environment import as_algebra, definitions, resolve
+from .environment import as_algebra, definitions, opaque, resolve
 from .equivalence import equivalent
 from .statement import Declaration, Erratum
 from .verdict import Kind, Verdict
@@ -65,14 +66,20 @@ def environment(declaration: Declaration, outcome: Outcome, premises: dict) -> d
     return {k: v for k, v in given.items() if k not in declaration.domain.ranges}
 
 
-def judge(declaration: Declaration, outcome: Outcome, premises: dict) -> Verdict:
-    """The verdict of an entry, its premises (derived statements by id) taken as true."""
+def judge(declaration: Declaration, outcome: Outcome, premises: dict, domains: dict | None = None) -> Verdict:
+    """The verdict of an entry, its premises taken as true.
+
+    Parameters
+    ----------
+    premises, domains : dict
+        Derived statements of the premises, and their assumptions (none if not given), by id.
+    """
     start = time.perf_counter()
-    kind, method, example = _judge(declaration, outcome, premises)
+    kind, method, example = _judge(declaration, outcome, premises, domains)
     return Verdict(kind, method, outcome.seconds + time.perf_counter() - start, example)
 
 
-def _judge(declaration, outcome, premises):
+def _judge(declaration, outcome, premises, domains):
     if outcome.problem:
         return Kind.ERROR, outcome.problem, None
     given = environment(declaration, outcome, premises)
@@ -87,6 +94,9 @@ def _judge(declaration, outcome, premises):
             failure = counterexample(statement, declaration.domain, given, declaration.id)
             if failure is not None:
                 return Kind.REFUTED, f"{name} fails", failure
+        told = {i: (premises[i], (domains or {}).get(i, Domain({}))) for i in declaration.premises}
+        for identifier, failure in _failing_premises(declaration, outcome, told, given):
+            return Kind.REFUTED, f"the result does not agree with its premise {identifier}", failure
         how = equivalent(outcome.result, declaration.printed)
     except EmptyDomain as problem:
         return Kind.VACUOUS, str(problem), None
@@ -94,6 +104,51 @@ def _judge(declaration, outcome, premises):
         return Kind.ERROR, f"{type(problem).__name__}: {problem}", None
     method = ", ".join((*outcome.tactics, f"as printed: {how}" if how else "equal in numbers only"))
     return (Kind.PROVED if how else Kind.CHECKED), method, None
+
+
+def _failing_premises(declaration, outcome, premises, given):
+    """Premises that fail with what the result says, each with a point where their own assumptions hold.
+
+    A result that solves its premises must satisfy them: t_AB put back into the arrival, s(t) into the law with its
+    initial values. Premises named `elsewhere` speak of another motion.
+    """
+    solved = {k for k in definitions(outcome.result) if k not in declaration.domain.ranges}
+    functions = {k.func for k in solved if isinstance(k, AppliedUndef)}
+    known = {k: v for k, v in given.items() if not (isinstance(k, sp.Derivative) and k.expr.func in functions)}
+    for identifier, (statement, domain) in premises.items():
+        parts = statement.args if isinstance(statement, sp.And) else (statement,)
+        for part in parts if identifier not in declaration.elsewhere else ():
+            ready = resolve(part, known, frozenset(declaration.domain.ranges))
+            if _speaks_of(part, solved, functions) and not opaque(ready):
+                failure = _counterexample_inside(part, declaration, domain, known)
+                if failure is not None:
+                    yield identifier, failure
+
+
+def _speaks_of(part, solved, functions):
+    """Whether a premise says something of what the result says."""
+    return part.has(*solved, *functions) if solved else False
+
+
+def _counterexample_inside(statement, declaration, domain, given):
+    """A point of both the entry's and the premise's assumptions where the premise fails; None if it has no value."""
+    try:
+        ready, ranges = ready_to_try(statement, declaration.domain, given)
+        condition = resolve(domain.condition, given, frozenset(ranges))
+        for point in Domain(ranges).points(POINTS, declaration.id):
+            if _inside(condition, point) and not numeric.holds(ready, point):
+                return _show(statement, point, given)
+    except numeric.Untestable:  # it speaks of something else, too, that has no value here
+        return None
+    return None
+
+
+def _inside(condition, point):
+    """Whether a premise's assumptions hold at a point; those about variables that have no value here are left out."""
+    for part in condition.args if isinstance(condition, sp.And) else (condition,):
+        if part.free_symbols <= set(point) and not numeric.holds(part, point):
+            return False
+    return True
 
 
 def _given(declaration):

@@ -200,19 +200,31 @@ def _trig_polynomial(expr):
 
 
 def _radicals(expr):
-    """a - b with both square roots of positive things: compare the squares (principal roots are not negative)."""
+    """P*A**e - Q*B**e with P, Q >= 0 and e = ±1/2: equal if the squares are, since the principal root is a function.
+
+    A root of unknown sign may stand on a side once only, and with one exponent: sqrt(x)*sqrt(y) is not sqrt(x*y), nor
+    1/sqrt(x) sqrt(1/x), for negative x and y.
+    """
     terms = sp.Add.make_args(sp.expand(expr))
     if len(terms) != 2:
         return expr
-    a, b = terms[0], -terms[1]
-    if not (a.is_nonnegative and b.is_nonnegative) and not (_is_root(a) and _is_root(b)):
+    roots = [_loose_roots(term) for term in (terms[0], -terms[1])]
+    if None in roots or roots[0] != roots[1]:
         return expr
-    return sp.simplify(sp.expand(a**2) - sp.expand(b**2))
+    return sp.simplify(sp.expand(terms[0] ** 2) - sp.expand(terms[1] ** 2))
 
 
-def _is_root(expr):
-    factors = sp.Mul.make_args(expr)
-    return all(f.is_positive or (f.is_Pow and f.exp in (sp.S.Half, -sp.S.Half)) for f in factors)
+def _loose_roots(term):
+    """Exponents of the roots of unknown sign in a product of things >= 0; None if it is no such product."""
+    loose = []
+    for factor in sp.Mul.make_args(term):
+        if factor.is_nonnegative:
+            continue
+        exponent = factor.as_base_exp()[1]
+        if exponent not in (sp.S.Half, -sp.S.Half):
+            return None
+        loose.append(exponent)
+    return loose if len(loose) <= 1 else None
 
 
 _MOVES = (
@@ -221,7 +233,7 @@ _MOVES = (
     ("common denominator", _rational),
     ("W e^W = q", _w_rational),
     ("sin^2 + cos^2 = 1", _trig_polynomial),
-    ("squares of positive roots", _radicals),
+    ("squares of roots", _radicals),
     ("simplify", sp.simplify),
     ("exponentials", lambda e: sp.simplify(sp.powsimp(sp.expand(e.rewrite(sp.exp))))),
 )

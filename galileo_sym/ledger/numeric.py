@@ -173,7 +173,7 @@ def _equal(left, right, point):
         if gap <= scale * mp.mpf(10) ** -AGREE or _shrinks(gap, before, digits):
             return True
         before = (gap, digits)
-    return gap <= mp.mpf(10) ** -digits  # less than all digits tried can tell from 0; other points decide
+    return gap <= mp.mpf(10) ** (-9 * digits // 10)  # less than all digits tried can tell from 0; other points decide
 
 
 def _diverges(limit, point):

@@ -48,6 +48,7 @@ class Declaration:
     premises: tuple[str, ...] = ()
     function: Callable | None = None
     erratum: Erratum | None = None
+    elsewhere: tuple[str, ...] = ()  # premises about another motion, whose symbols have other values there
 
     @property
     def doc(self) -> str:
@@ -73,18 +74,23 @@ class Chapter:
             Declaration(identifier, item, self.notation, statement, domain, tuple(premises), None, erratum)
         )
 
-    def derive(self, identifier, printed, domain, *, premises=None, erratum=None):
+    def derive(self, identifier, printed, domain, *, premises=None, erratum=None, elsewhere=()):
         """Enter a statement with its derivation, a function of its premises.
 
         The names of the function's arguments are the premises' ids: ``eq19`` is chord.eq19 in the chord paper,
         ``claim__slides_iff`` is chord.claim.slides-iff, ``projectile__res3`` reaches into the other paper. Where one
-        function serves several entries, `premises` names the ids instead, in the order of its arguments.
+        function serves several entries, `premises` names the ids instead, in the order of its arguments. Premises of
+        `elsewhere` speak of another motion, so that their t_AB or s(t) is not this one's.
         """
 
         def enter(function):
             ids = premises or (self._premise_id(name) for name in inspect.signature(function).parameters)
             item = self._item(identifier)
-            self._enter(Declaration(identifier, item, self.notation, printed, domain, tuple(ids), function, erratum))
+            self._enter(
+                Declaration(
+                    identifier, item, self.notation, printed, domain, tuple(ids), function, erratum, tuple(elsewhere)
+                )
+            )
             return function
 
         return enter

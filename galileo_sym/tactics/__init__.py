@@ -36,7 +36,7 @@ from .signs import (
     sign_by_factors,
     values_ordered,
 )
-from .solve import isolate, substitute
+from .solve import isolate, substitute, unhide
 
 __all__ = [
     "Circle",
@@ -86,6 +86,7 @@ __all__ = [
     "trig_box",
     "twin_at_zero",
     "undo",
+    "unhide",
     "unique_maximum",
     "values_ordered",
 ]

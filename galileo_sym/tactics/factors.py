@@ -33,11 +33,16 @@ def introduce(expr, factor, *, closed=sp.LambertW):
     name = sp.Dummy("inner")
     slope = form.xreplace({inner: name}).coeff(name)
     rest = form.xreplace({inner: sp.S.Zero})
-    targets = [a for a in expr.atoms(type(inner)) if is_zero(a.args[0] - inner.args[0]) is not None]
+    targets = [a for a in expr.atoms(type(inner)) if _same(a, inner)]
     if not targets:
         raise DerivationError(f"{expr} has no {inner}")
     put = (factor - rest) / slope
     return sp.factor_terms(sp.expand(expr.xreplace(dict.fromkeys(targets, put))))
+
+
+def _same(one, other):
+    """Whether two applications of a function have one value: the same argument, on the same branch."""
+    return one.args[1:] == other.args[1:] and is_zero(one.args[0] - other.args[0]) is not None
 
 
 @tactic

@@ -7,6 +7,8 @@ import sympy as sp
 from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
 from galileo_sym.ledger.equivalence import is_zero
 
+from .solve import unhide
+
 DEPTH = 8  # rungs of the ladder before giving up
 
 
@@ -98,7 +100,7 @@ def monotone_through(outer, inner_name, inner, variable, interval):
     """
     slope = sp.diff(inner, variable).replace(sp.tan, lambda x: sp.Dummy("tangent", real=True))
     direction = sign_by_factors(sp.diff(outer, inner_name), {}) * sign_by_factors(slope, {})
-    return monotone(outer.subs(inner_name, inner), variable, interval, direction)
+    return monotone(unhide(outer, {inner_name: inner}), variable, interval, direction)
 
 
 @tactic

@@ -31,7 +31,7 @@ def isolate(equation: sp.Eq, unknown, *, drop=None, hide=()) -> sp.Eq:
     ready = equation.subs(hide) if hide else equation
     roots = sp.solve(ready.lhs - ready.rhs, unknown)
     back = {v: k for k, v in hide.items()}
-    left = [r.subs(back) for r in roots]
+    left = [unhide(r, back) for r in roots]
     for root in drop or {}:
         gone = [r for r in left if is_zero(r - root)]
         if len(gone) != 1:
@@ -40,6 +40,17 @@ def isolate(equation: sp.Eq, unknown, *, drop=None, hide=()) -> sp.Eq:
     if len(left) != 1:
         raise DerivationError(f"{equation} has the roots {left} for {unknown}: say which to drop")
     return sp.Eq(unknown, left[0], evaluate=False)
+
+
+def unhide(root, back: dict):
+    """Put expressions back for the positive symbols that stood for them.
+
+    A positive root is rebuilt from its square: 1/sqrt(c) with c > 0 for cos(theta) becomes sqrt(1/cos(theta)), the form
+    that SymPy keeps for a cosine whose sign it does not know.
+    """
+    if root.is_positive and any(p.exp.is_Rational and p.exp.q == 2 for p in root.atoms(sp.Pow)):
+        return sp.sqrt((root**2).subs(back))
+    return root.subs(back)
 
 
 @tactic
