@@ -9,3 +9,9 @@ from galileo_sym.ledger import Ledger
 def ledger():
     """The ledger of both papers; entries derive on access."""
     return Ledger.load()
+
+
+def pytest_addoption(parser):
+    parser.addoption(
+        "--all-mutants", action="store_true", help="wrong premises for every entry, not for the quick ones"
+    )
