@@ -28,7 +28,7 @@ class NumpyFunctions:
 
 def generated_folder():
     """The folder of the emitted code."""
-    return Path(import_module("galileo_sym.generated").__file__).parent
+    return Path(next(iter(import_module("galileo_sym.generated").__path__)))
 
 
 def available_back_ends(tell):
@@ -37,7 +37,7 @@ def available_back_ends(tell):
     Raises
     ------
     CompilationError
-        If there is a compiler and the emitted C does not compile.
+        If there is a compiler and the emitted C does not compile or load.
     """
     try:
         return [NumpyFunctions(), NativeLibrary(generated_folder() / "c")]

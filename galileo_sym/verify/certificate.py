@@ -1,6 +1,7 @@
 """Certificates: what was claimed, what was measured and where it was worst, one JSON file for each public function."""
 
 import json
+import math
 import os
 import tempfile
 from pathlib import Path
@@ -68,18 +69,30 @@ def path_of(folder, full_name):
     return Path(folder) / f"{full_name}.json"
 
 
-def _fault(function, force_set, stratum, record):
+def _is_number(value):
+    """Whether a value from JSON, which has NaN and takes true for no number, is a finite number."""
+    return type(value) in (int, float) and math.isfinite(value)
+
+
+def _fault(function, force_set, record):
     """What is wrong with a record, or None."""
     try:
         worst = from_hex(record["worst"])
-        bound = float(record["bound"])
-        float(record["measured"])
-    except (KeyError, TypeError, ValueError, AttributeError) as cause:
+        bound, measured, output, _, points, back_ends = (record[key] for key in _ENTRY_KEYS)
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as cause:
         return f"unreadable record ({cause!r})"
     if list(worst) != list(function.arguments(force_set)):
         return "its worst input has other arguments than the function"
+    if function.outside(worst):
+        return f"its worst input lies outside the domain ({', '.join(function.outside(worst))})"
+    if not (_is_number(bound) and _is_number(measured)):
+        return f"its bound {bound!r} and its measured maximum {measured!r} must be finite numbers"
     if bound > function.bound:
         return f"claims {bound} ulp where the function claims {function.bound}"
+    if not 0 <= measured <= bound:
+        return f"its measured maximum {measured!r} is not between 0 and its bound {bound!r}"
+    if output not in function.outputs or type(points) is not int or points < 1 or not isinstance(back_ends, list):
+        return f"unreadable record (output {output!r}, points {points!r}, back_ends {back_ends!r})"
     return None
 
 
@@ -93,7 +106,7 @@ def _read_records(function, force_sets):
         known = strata_names(function, force_set)
         for stratum, record in strata.items():
             place = f"{function.full_name} [{force_set}] {stratum}"
-            fault = "unknown stratum" if stratum not in known else _fault(function, force_set, stratum, record)
+            fault = "unknown stratum" if stratum not in known else _fault(function, force_set, record)
             if fault is None:
                 records[force_set, stratum] = {**record, "worst": from_hex(record["worst"])}
             else:
@@ -128,7 +141,7 @@ def read(folder, full_name):
         records, faults = _read_records(FUNCTIONS[full_name], force_sets)
     except FileNotFoundError:
         records, faults = {}, [f"{full_name}: no certificate"]
-    except (ValueError, KeyError, TypeError, AttributeError) as cause:
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as cause:
         records, faults = {}, [f"{full_name}: unreadable certificate {path.name} ({cause!r})"]
     return records, [f"{fault}; {REMEDY}" for fault in faults]
 

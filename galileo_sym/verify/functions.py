@@ -1,5 +1,6 @@
 """The public functions that are verified: arguments, outputs and force sets, as one table."""
 
+import math
 from dataclasses import dataclass, field
 
 CHORD_FORCES = {"free": (), "friction": ("mu",), "drag": ("gamma",), "friction_drag": ("mu", "gamma")}
@@ -7,6 +8,9 @@ PROJECTILE_FORCES = {"free": (), "drag": ("k",)}
 ONE_LAW = {"all": ()}  # functions that have a single kernel, whose C name carries no suffix
 
 CLAIMED_BOUND = 4.0
+
+_POSITIVE = ("diameter", "g", "v")
+_RIGHT_ANGLE = math.pi / 2
 
 
 @dataclass(frozen=True)
@@ -50,6 +54,13 @@ class Function:
         """Names of the force arguments the kernel does without; they are zero."""
         every = {name: None for names in self.force_sets.values() for name in names}
         return tuple(name for name in every if name not in self.force_sets[force_set])
+
+    def outside(self, point):
+        """Names of the arguments of a point, a dict of floats, that lie outside the function's domain."""
+        angles = (-_RIGHT_ANGLE if self.paper == "chord" else 0.0, _RIGHT_ANGLE)
+        least = {"theta": angles[0], **dict.fromkeys(_POSITIVE, math.ulp(0.0))}
+        greatest = {"theta": angles[1]}
+        return [n for n, x in point.items() if not least.get(n, 0.0) <= x <= greatest.get(n, math.inf)]
 
 
 _TABLE = (

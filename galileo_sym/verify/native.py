@@ -16,7 +16,7 @@ _SHOWN_LINES = 20
 
 
 class CompilationError(Exception):
-    """The emitted C does not compile, or lacks a function."""
+    """The emitted C does not compile or load, or lacks a function."""
 
 
 class NoCompilerError(Exception):
@@ -93,7 +93,7 @@ class NativeLibrary:
     Raises
     ------
     NoCompilerError, CompilationError
-        If there is no compiler, or if the sources do not compile.
+        If there is no compiler, or if the sources do not compile to a library that loads.
     """
 
     name = "c"
@@ -104,7 +104,11 @@ class NativeLibrary:
         with tempfile.TemporaryDirectory(prefix="galileo-sym-") as build:
             target = Path(build) / "libgalileo.so"
             compile_library(sorted(Path(folder).glob("*.c")), target, compiler)
-            self._library = ctypes.CDLL(str(target))
+            try:
+                self._library = ctypes.CDLL(str(target))
+            except OSError as cause:  # such as a table that a lost or empty source should define
+                missing = str(cause).removeprefix(f"{target}: ")
+                raise CompilationError(f"the emitted C does not load ({missing}); run `galileo-sym emit`") from None
 
     def evaluate(self, function, force_set, arguments):
         """Results of the array form of one kernel.

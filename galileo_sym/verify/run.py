@@ -8,10 +8,10 @@ from multiprocessing import get_context
 
 from . import certificate, report
 from .back_ends import NumpyFunctions, available_back_ends, generated_folder
-from .functions import FUNCTIONS
 from .judge import OK, judge
 from .measure import Task, VacuousStratumError, take_sample
 from .native import CompilationError
+from .renewal import RefusedUpdateError, renew, require_sound_update
 from .selection import UnknownNameError, select_functions, select_strata
 
 DEFAULT_POINTS = 512
@@ -46,23 +46,6 @@ def _chosen_back_ends(given, notes, problems):
         return [NumpyFunctions()]
 
 
-def _renewed(folder, outcomes, records, back_ends, seed, date):
-    """Certificates of the functions that held, the strata not measured now taken over from the old ones."""
-    failed = {rows[0].function for rows, _ in outcomes.values() if any(row.verdict != OK for row in rows)}
-    entries = {name: {} for name, _, _ in outcomes if name not in failed}
-    for (name, force_set, stratum), old in records.items():
-        if name in entries:
-            entries[name][force_set, stratum] = {**old, "worst": certificate.as_hex(old["worst"])}
-    for (name, force_set, stratum), (rows, worst) in outcomes.items():
-        if name in entries:
-            names = [back_end.name for back_end in back_ends]
-            record = certificate.entry(FUNCTIONS[name], worst, rows[0].points, names)
-            entries[name][force_set, stratum] = record
-    renewed = [certificate.certificate(FUNCTIONS[name], found, seed, date) for name, found in entries.items()]
-    certificate.write(folder, renewed)
-    return [content["function"] for content in renewed]
-
-
 def run(
     names=(),
     points=DEFAULT_POINTS,
@@ -91,6 +74,7 @@ def run(
         Of the draw; the same seed gives the same points everywhere.
     update : bool
         Renew the certificates of the functions that hold. A recorded worst input that is still worse stays recorded.
+        Refused if a certificate would be left with holes, or a record replaced by one of fewer points.
     json_output : bool
         Print one JSON object instead of the table.
     strata : sequence of str
@@ -113,8 +97,8 @@ def run(
     -------
     int
         0 if all held; 1 if an error exceeds its bound, a recorded worst input errs more than recorded, back ends
-        differ in bits, the C does not compile, or a certificate is missing or does not fit; 2 on unknown names or a
-        number of points below 1.
+        differ in bits, the C does not compile or load, or a certificate is missing or does not fit; 2 on unknown
+        names, a number of points below 1, or an update that is refused.
     """
     out = sys.stdout if out is None else out
     err = sys.stderr if err is None else err
@@ -129,11 +113,17 @@ def run(
         return 2
     folder = generated_folder() / "certificates" if certificates is None else certificates
     notes, problems, records = [], [], {}
-    back_ends = _chosen_back_ends(back_ends, notes, problems)
     for name in functions:
         found, faults = certificate.read(folder, name)
         records.update({(name, *place): record for place, record in found.items()})
         (notes if update else problems).extend(faults)
+    try:
+        if update:
+            require_sound_update(chosen, records, points, DEFAULT_POINTS)
+    except RefusedUpdateError as cause:
+        print(f"galileo-sym verify: {cause}", file=err)
+        return 2
+    back_ends = _chosen_back_ends(back_ends, notes, problems)
     problems.extend(f"certificate {name} belongs to no function; delete it" for name in certificate.stale(folder))
     if not json_output:
         print("\n".join(notes), file=out, end="\n" if notes else "")
@@ -153,7 +143,7 @@ def run(
     outcomes = {place: outcomes[place] for place in chosen if place in outcomes}
     rows = [row for found, _ in outcomes.values() for row in found]
     date = datetime.date.today().isoformat() if date is None else date
-    updated = [] if problems or not update else _renewed(folder, outcomes, records, back_ends, seed, date)
+    updated = [] if problems or not update else renew(folder, outcomes, records, back_ends, seed, date)
     held = not problems and all(row.verdict == OK for row in rows)
     if json_output:
         print(report.as_json(rows, problems, notes, seed, held), file=out)

@@ -81,6 +81,15 @@ def test_warnings_and_errors_are_failures(tmp_path, flaw):
         NativeLibrary(tmp_path)
 
 
+@needs_compiler
+def test_a_library_that_does_not_load_is_a_failure(tmp_path):
+    (tmp_path / "chord.c").write_text(
+        "extern const double gs_lost_table[];\ndouble f(void);\ndouble f(void)\n{\n    return gs_lost_table[0];\n}\n"
+    )
+    with pytest.raises(CompilationError, match=r"gs_lost_table.*run `galileo-sym emit`"):
+        NativeLibrary(tmp_path)
+
+
 def test_no_sources(tmp_path):
     with pytest.raises(CompilationError, match="no C sources"):
         NativeLibrary(tmp_path, compiler=["cc"])

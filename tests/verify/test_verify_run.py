@@ -20,6 +20,11 @@ POINTS = 6
 NAME = "projectile.flight_time"
 
 
+@pytest.fixture(autouse=True)
+def _few_points_by_default(monkeypatch):
+    monkeypatch.setattr("galileo_sym.verify.run.DEFAULT_POINTS", POINTS)
+
+
 @pytest.fixture
 def folder(tmp_path):
     return tmp_path / "certificates"
@@ -108,7 +113,7 @@ def test_eight_ulps_on_one_stratum_are_found(certified):
 @pytest.mark.parametrize("name", list(FUNCTIONS))
 def test_eight_ulps_are_found_in_every_function(folder, name):
     weak = Weakened(8, lambda force_set, point: True)
-    code, text = verify(folder, weak, names=(name,), update=True, strata=("scenes",))
+    code, text = verify(folder, weak, names=(name,), update=True)
     assert code == 1
     assert text.count("exceeds its bound") >= len(FUNCTIONS[name].force_sets)
     assert not folder.exists()
@@ -116,7 +121,7 @@ def test_eight_ulps_are_found_in_every_function(folder, name):
 
 def test_eight_ulps_pass_where_a_certificate_would_not_be_held(folder):
     """The control of the control: the same run with an honest back end holds."""
-    assert verify(folder, Rounded(), names=("chord",), update=True, strata=("scenes",))[0] == 0
+    assert verify(folder, Rounded(), names=("chord",), update=True)[0] == 0
 
 
 def test_an_update_does_not_certify_what_fails(certified):
@@ -207,6 +212,23 @@ def strange_force(content):
     content["force_sets"]["magnetism"] = {}
 
 
+def leave_domain(content):
+    content["force_sets"]["drag"]["typical"]["worst"]["v"] = "-0x1p+0"
+
+
+def overflow_worst(content):
+    content["force_sets"]["drag"]["typical"]["worst"]["v"] = "0x1p+9999"
+
+
+def give(key, value):
+    """A change of one value in one record."""
+
+    def change(content):
+        content["force_sets"]["drag"]["typical"][key] = value
+
+    return change
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
@@ -217,6 +239,18 @@ def strange_force(content):
         (spoil_worst, "unreadable record"),
         (other_arguments, "its worst input has other arguments"),
         (strange_force, "unknown force set 'magnetism'"),
+        (leave_domain, "its worst input lies outside the domain (v)"),
+        (overflow_worst, "unreadable record"),
+        (give("bound", "nan"), "must be finite numbers"),
+        (give("bound", float("nan")), "must be finite numbers"),
+        (give("bound", True), "must be finite numbers"),
+        (give("measured", "-5"), "must be finite numbers"),
+        (give("measured", float("nan")), "must be finite numbers"),
+        (give("measured", 1e9), "measured maximum 1000000000.0 is not between 0 and its bound 4.0"),
+        (give("measured", -5), "measured maximum -5 is not between 0 and its bound 4.0"),
+        (give("output", "weight"), "unreadable record (output 'weight'"),
+        (give("points", "many"), "unreadable record (output 'time', points 'many'"),
+        (give("back_ends", None), "unreadable record"),
     ],
 )
 def test_certificates_that_do_not_fit_fail_and_are_renewed(certified, change, message):
@@ -255,6 +289,48 @@ def test_updating_one_stratum_keeps_the_others(certified):
     content = json.loads((certified / f"{NAME}.json").read_text())
     assert list(content["force_sets"]["drag"]) == strata_names(FUNCTIONS[NAME], "drag")
     assert verify(certified)[0] == 0
+
+
+# --- updates that would leave less than there was --------------------------------------------------------------------
+
+
+def test_single_strata_are_merged_into_whole_certificates_only(certified):
+    path = certified / f"{NAME}.json"
+    path.write_text("{")
+    code, text = verify(certified, update=True, strata=("typical",))
+    assert code == 2
+    assert "needs a whole certificate" in text
+    assert "leave --stratum out" in text
+    assert path.read_text() == "{"
+    path.unlink()
+    assert verify(certified, update=True, strata=("typical",))[0] == 2
+    assert not path.exists()
+    assert verify(certified, update=True)[0] == 0
+
+
+def test_a_damaged_stratum_can_be_renewed_alone(certified):
+    whole = (certified / f"{NAME}.json").read_bytes()
+    edit(certified, rename_stratum)
+    assert verify(certified, update=True, strata=("scenes",))[0] == 2
+    assert verify(certified, update=True, strata=("typical",))[0] == 0
+    assert (certified / f"{NAME}.json").read_bytes() == whole
+
+
+def test_records_are_not_replaced_by_those_of_fewer_points(certified, monkeypatch):
+    before = (certified / f"{NAME}.json").read_bytes()
+    code, text = verify(certified, update=True, points=POINTS - 1)
+    assert code == 2
+    assert f"it takes {POINTS} points at least: leave --points out" in text
+    assert (certified / f"{NAME}.json").read_bytes() == before
+    # lists of points have their own number, and a record of no more points may be renewed with as few
+    assert verify(certified, update=True, points=POINTS - 1, strata=("scenes",))[0] == 0
+    monkeypatch.setattr("galileo_sym.verify.run.DEFAULT_POINTS", POINTS + 1)
+    assert verify(certified, update=True, points=POINTS)[0] == 0
+
+
+def test_no_certificate_begins_with_fewer_points_than_the_default(folder):
+    assert verify(folder, update=True, points=POINTS - 1)[0] == 2
+    assert not folder.exists()
 
 
 # --- names, options, output ------------------------------------------------------------------------------------------
