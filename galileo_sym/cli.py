@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import os
 import re
 import sys
 
@@ -43,10 +44,22 @@ def _words(grammar):
 
 
 def _positive(text):
-    number = int(text)
+    try:
+        number = int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number") from None
     if number < 1:
         raise argparse.ArgumentTypeError(f"{text} is not a positive number")
     return number
+
+
+def _settle_output():
+    """Write what is left; if that fails let it go nowhere, so that the interpreter does not try again when it ends."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        with open(os.devnull, "w") as nowhere:
+            os.dup2(nowhere.fileno(), sys.stdout.fileno())
 
 
 def parser() -> argparse.ArgumentParser:
@@ -99,13 +112,19 @@ def main(argv: list[str] | None = None) -> int:
     from galileo_sym import commands  # here: --help and --version load neither SymPy nor mpmath
 
     try:
-        return commands.COMMANDS[options.command](options)
+        code = commands.COMMANDS[options.command](options)
+        sys.stdout.flush()  # here, where a full disk can still be told
+        return code
     except commands.UsageError as problem:
         print(f"galileo-sym {options.command}: {problem}", file=sys.stderr)
         return USAGE
     except BrokenPipeError:  # the reader (head, less) has seen enough
-        sys.stderr.close()
+        _settle_output()
         return OK
+    except OSError as problem:
+        _settle_output()
+        print(f"galileo-sym {options.command}: {problem}; make room or check permissions, then repeat", file=sys.stderr)
+        return FAILED
     except KeyboardInterrupt:
         print(f"galileo-sym {options.command}: interrupted; files are as they were", file=sys.stderr)
         return FAILED

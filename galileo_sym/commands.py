@@ -30,7 +30,7 @@ def derive(options) -> int:
     with _bar(options, "derive") as progress:
         ledger.judge(entries, PROCESSES, progress)
     if options.json:
-        print(json.dumps([_as_row(e) for e in entries], indent=2))
+        print(json.dumps([_as_row(e) | (_steps(e) if options.show else {}) for e in entries], indent=2))
     elif options.show:
         print("\n".join(tell(e) + tell_chain(e, ledger) for e in entries))
     else:
@@ -70,6 +70,10 @@ def _as_row(entry):
     return row
 
 
+def _steps(entry):
+    return {"steps": [{"text": step.text, "statement": str(step.statement)} for step in entry.steps]}
+
+
 def _print_table(entries):
     width = max((len(e.id) for e in entries), default=0)
     for entry in entries:
@@ -91,21 +95,16 @@ def emit(options) -> int:
 
     try:
         if options.check:
-            lines = writer.check(options.output)
-            print(json.dumps({"differences": lines}, indent=2) if options.json else "\n".join(lines or ["up to date"]))
-            return 1 if lines else 0
-        written = writer.emit(options.output)
+            lines, key, none = writer.check(options.output), "differences", "up to date"
+        else:
+            lines, key, none = writer.emit(options.output), "written", "nothing to write: up to date"
     except NotDerived as problem:
         print(f"galileo-sym emit: {problem}", file=sys.stderr)
         return 1
     except (writer.WrongVersion, OSError) as problem:
         raise UsageError(problem) from None
-    print(
-        json.dumps({"written": written}, indent=2)
-        if options.json
-        else "\n".join(written or ["nothing to write: up to date"])
-    )
-    return 0
+    print(json.dumps({key: lines}, indent=2) if options.json else "\n".join(lines or [none]))
+    return 1 if options.check and lines else 0
 
 
 def verify(options) -> int:
