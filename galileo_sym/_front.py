@@ -6,10 +6,22 @@ from galileo_sym.generated._tables import HALF_PI
 
 _DOUBLE, _SINGLE = np.dtype(np.float64), np.dtype(np.float32)
 _PYTHON_NUMBERS = (bool, int, float, complex)
+_CASTINGS = ("no", "equiv", "safe", "same_kind", "unsafe")
+
+
+def _refuse_mask(value):
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(
+            "masked arrays are not supported, their mask would be lost: pass a.filled(numpy.nan), or a.data with "
+            "where=~numpy.ma.getmaskarray(a)"
+        )
 
 
 def _operand(value):
     """A Python number as it is (NEP 50: it takes the dtype of the others), anything else as an array."""
+    if type(value) is int:
+        return float(value)  # it may be beyond every integer dtype
+    _refuse_mask(value)
     return value if type(value) in _PYTHON_NUMBERS else np.asarray(value)
 
 
@@ -23,6 +35,8 @@ def _serve_dtype(found):
 
 
 def _common_dtype(operands, dtype, casting):
+    if casting not in _CASTINGS:
+        raise ValueError(f"casting must be one of {', '.join(map(repr, _CASTINGS))}, not {casting!r}")
     for operand in operands:
         _serve_dtype(np.result_type(operand))
     if dtype is None:
@@ -52,6 +66,7 @@ def _targets(out, count, dtype, casting):
     if len(targets) != count:
         raise ValueError(f"out must hold {count} array{'s' * (count > 1)}, not {len(targets)}")
     for target in targets:
+        _refuse_mask(target)
         if target is not None and not isinstance(target, np.ndarray):
             raise TypeError("out must be an array, or a tuple of arrays and None")
         if target is not None and not np.can_cast(dtype, target.dtype, casting):
@@ -97,9 +112,12 @@ def serve(row, arguments, forces, out=None, where=True, casting="same_kind", dty
     Raises
     ------
     TypeError
-        For complex, extended-precision, object and other non-real arguments, and for casts that `casting` forbids.
+        For complex, extended-precision, object and other non-real arguments, for masked arrays, and for casts that
+        `casting` forbids.
     ValueError
-        If the arguments do not broadcast, or `out` does not fit.
+        If the arguments do not broadcast, `out` does not fit, or `casting` is no casting rule of NumPy.
+    OverflowError
+        For a Python integer beyond the range of float64.
     """
     operands = [_operand(value) for value in (*arguments, *forces.values())]
     dtype = _common_dtype(operands, dtype, casting)
@@ -112,6 +130,7 @@ def serve(row, arguments, forces, out=None, where=True, casting="same_kind", dty
     if where is True:
         results, mask = _as_tuple(kernel(*wide)), True
     else:
+        _refuse_mask(where)
         mask = np.asarray(where)
         if mask.dtype != np.bool_:
             raise TypeError(f"where must be boolean, not {mask.dtype}")

@@ -187,6 +187,39 @@ def test_casting():
         chord.distance(1.0, 0.5, g=2.0, dtype=complex)
 
 
+@pytest.mark.parametrize("casting", ["foo", "", None])
+def test_an_unknown_casting_rule_is_refused(casting):
+    with pytest.raises(ValueError, match="casting must be one of 'no', 'equiv', 'safe', 'same_kind', 'unsafe'"):
+        chord.distance(1.0, 0.5, g=9.81, casting=casting)
+    for rule in ("no", "equiv", "safe", "same_kind", "unsafe"):
+        assert chord.distance(1.0, 0.5, g=9.81, casting=rule) == chord.distance(1.0, 0.5, g=9.81)
+
+
+def test_masked_arrays_are_refused():
+    """Serving their data would lose the mask without a word."""
+    masked = np.ma.MaskedArray([1.0, 2.0], mask=[False, True])
+    with pytest.raises(TypeError, match=r"masked arrays are not supported.*filled"):
+        chord.distance(masked, 0.5, g=9.81)
+    with pytest.raises(TypeError, match="masked arrays"):
+        chord.distance(1.0, 0.5, g=9.81, mu=masked)
+    with pytest.raises(TypeError, match="masked arrays"):
+        chord.distance(np.ones(2), 0.5, g=9.81, out=masked)
+    with pytest.raises(TypeError, match="masked arrays"):
+        chord.distance(np.ones(2), 0.5, g=9.81, where=np.ma.MaskedArray([True, True], mask=[False, True]))
+    kept = chord.distance(masked.data, 0.5, g=9.81, where=~np.ma.getmaskarray(masked))
+    assert kept[0] == chord.distance(1.0, 0.5, g=9.81)
+    assert np.isnan(kept[1])
+
+
+def test_python_integers_beyond_int64():
+    large = chord.descent_time(0.5, diameter=2**70, g=10)
+    assert type(large) is np.float64
+    assert large == chord.descent_time(0.5, diameter=2.0**70, g=10.0)
+    assert chord.descent_time(np.float32(0.5), diameter=2**70, g=10).dtype == np.float32
+    with pytest.raises(OverflowError):
+        chord.descent_time(0.5, diameter=10**400, g=10)
+
+
 def test_bad_out_and_where_are_refused():
     with pytest.raises(TypeError, match="out must be an array"):
         chord.distance(1.0, 0.5, g=2.0, out=[0.0])
