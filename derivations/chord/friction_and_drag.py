@@ -191,6 +191,7 @@ def _sign_of_quotient(quotient, rises, height, z):
 @chapter.derive("chord.eq45", Eq(Y(t), g / (2 * gamma) * t - g / (2 * gamma**2) * (1 - exp(-gamma * t))), MOTION)
 def depth(eq41):
     """Half the fall along the vertical."""
+    step("a diameter", Eq(2 * Y(t), eq41.rhs.subs(theta, 0), evaluate=False))
     return Eq(Y(t), sp.expand(eq41.rhs.subs(theta, 0) / 2))
 
 

@@ -201,6 +201,7 @@ def synchronous_circle(eq5, eq6):
 @chapter.derive("chord.eq10", Eq(R(t), g * t**2 / 4), Domain({g: POSITIVE, t: NONNEGATIVE}))
 def radius(eq9):
     """Complete the squares in (9)."""
+    step("the lowest point is a diameter away from A", eq9.equation.subs({x: 0, y: 2 * R(t)}))
     return Eq(R(t), read_circle(eq9.equation, x, y).radius)
 
 

@@ -89,6 +89,7 @@ def impact(eq29, eq3):
 @chapter.derive("chord.eq32", Eq(R(t), g / (2 * gamma) * t - g / (2 * gamma**2) * (1 - exp(-gamma * t))), TIMES)
 def radius(eq29):
     """The fall along the vertical is a diameter."""
+    step("a diameter", Eq(2 * R(t), eq29.rhs.subs(theta, 0), evaluate=False))
     return Eq(R(t), sp.expand(eq29.rhs.subs(theta, 0) / 2))
 
 

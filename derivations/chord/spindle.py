@@ -92,6 +92,7 @@ def centred(found):
 )
 def radius(eq21):
     """Read the radius off (21)."""
+    step("the square of the radius", Eq(R(t) ** 2, eq21.rhs, evaluate=False))
     return Eq(R(t), read_circle(eq21.equation, x, y).radius)
 
 

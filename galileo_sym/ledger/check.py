@@ -116,6 +116,10 @@ def _failing_premises(declaration, outcome, premises, given):
     functions = {k.func for k in solved if isinstance(k, AppliedUndef)}
     known = {k: v for k, v in given.items() if not (isinstance(k, sp.Derivative) and k.expr.func in functions)}
     for identifier, (statement, domain) in premises.items():
+        if statement == outcome.result:
+            failure = _outside(declaration, domain)
+            if failure is not None:
+                yield f"{identifier}, which is the same statement but assumes more", failure
         parts = statement.args if isinstance(statement, sp.And) else (statement,)
         for part in parts if identifier not in declaration.elsewhere else ():
             ready = resolve(part, known, frozenset(declaration.domain.ranges))
@@ -123,6 +127,14 @@ def _failing_premises(declaration, outcome, premises, given):
                 failure = _counterexample_inside(part, declaration, domain, known)
                 if failure is not None:
                     yield identifier, failure
+
+
+def _outside(declaration, domain):
+    """A point of the entry's assumptions where a premise's do not hold."""
+    for point in declaration.domain.points(POINTS, declaration.id):
+        if not _inside(domain.condition, point):
+            return _show(sp.true, point, {})
+    return None
 
 
 def _speaks_of(part, solved, functions):
@@ -152,6 +164,14 @@ def _inside(condition, point):
 
 
 def _given(declaration):
+    """A law or a definition stands as given; what it says of known functions alone must be true all the same."""
+    known = set(declaration.domain.ranges)
+    parts = declaration.printed.args if isinstance(declaration.printed, sp.And) else (declaration.printed,)
+    for part in parts:
+        if part.free_symbols <= known and not opaque(part):
+            failure = counterexample(part, declaration.domain, {}, declaration.id)
+            if failure is not None:
+                return Kind.REFUTED, "what is given is false", failure
     declaration.domain.points(1, declaration.id)
     return Kind(declaration.item.kind), "given", None
 

@@ -42,8 +42,12 @@ class Claim(BooleanFunction):
 FIRST, SECOND = sp.Dummy("first", real=True), sp.Dummy("second", real=True)
 
 
+# Shifts that make a grid uneven, so that no period of a function falls in with it.
+_UNEVEN = [sp.Rational(n, 1000) for n in (137, -291, 377, -59, 223, -411, 83, -171, 319)]
+
+
 def spread(interval, count=9):
-    """Points across an interval, open ends approached and infinite ones reached far out."""
+    """Points across an interval, unevenly; open ends approached and infinite ones reached far out."""
     low, high = interval.start, interval.end
     far = [sp.Integer(10) ** sp.Rational(30 * i - 15 * (count - 1), count - 1) for i in range(count)]
     if low is sp.S.NegativeInfinity and high is sp.S.Infinity:
@@ -55,7 +59,7 @@ def spread(interval, count=9):
     inset = sp.Rational(1, 10**4)
     left = inset if interval.left_open else 0
     right = inset if interval.right_open else 0
-    grid = [sp.Rational(i, count - 1) for i in range(count)]
+    grid = [sp.Integer(0), *((i + _UNEVEN[i % len(_UNEVEN)]) / sp.Integer(count - 1) for i in range(1, count - 1)), 1]
     return [low + (high - low) * (left + g * (1 - left - right)) for g in grid]
 
 
@@ -117,7 +121,8 @@ class UniqueMaximum(Claim):
         f, x, interval, place = self.args
         below = sp.StrictLessThan(f, f.subs(x, place), evaluate=False)
         beside = sp.Or(sp.Eq(x, place, evaluate=False), below, evaluate=False)
-        return [(beside, {x: p}) for p in spread(interval)]
+        near = [place + (end - place) * sp.Rational(1, 1000) for end in (interval.start, interval.end) if end.is_finite]
+        return [(beside, {x: p}) for p in (*spread(interval), *near)]
 
 
 class Independent(Claim):
@@ -126,7 +131,8 @@ class Independent(Claim):
     def trials(self):
         f, x = self.args
         same = sp.Eq(f.subs(x, FIRST), f.subs(x, SECOND), evaluate=False)
-        return [(same, {FIRST: sp.Rational(1, 5), SECOND: sp.Rational(4, 7)})]
+        values = [sp.Rational(n, 7919) for n in (1583, 4525, 11003, 2741)]
+        return [(same, {FIRST: a, SECOND: b}) for a, b in pairwise(values)]
 
     def check_dimensions(self, agree):
         agree(self.args[0])
@@ -154,7 +160,23 @@ class TracesOnce(Claim):
         (px, py), q, interval, curve, region, (x, y), inverse = self.args
         here = {x: px, y: py}
         parts = [_at(curve, here), _at(region, here), sp.Eq(inverse.xreplace(here), q, evaluate=False)]
-        return [(part, {q: p}) for p in spread(interval)[1:-1] for part in parts]
+        traced = [(part, {q: p}) for p in spread(interval)[1:-1] for part in parts]
+        return traced + self._complete()
+
+    def _complete(self):
+        """Points of the circle that lie in the region are all on the trace."""
+        (px, py), q, interval, curve, region, (x, y), inverse = self.args
+        squares = sp.Poly(sp.expand(curve.lhs - curve.rhs), x, y)
+        lead = squares.coeff_monomial(x**2)
+        a, b = (-squares.coeff_monomial(c) / (2 * lead) for c in (x, y))
+        radius = sp.sqrt(a**2 + b**2 - squares.coeff_monomial(1) / lead)
+        there = {x: a + radius * sp.cos(FIRST), y: b + radius * sp.sin(FIRST)}
+        back = inverse.xreplace(there)
+        trace = [sp.Eq(f.xreplace({q: back}), there[c], evaluate=False) for f, c in ((px, x), (py, y))]
+        inside = [sp.Ge(back, interval.start, evaluate=False), sp.Le(back, interval.end, evaluate=False)]
+        on_it = sp.And(*trace, *inside, evaluate=False)
+        reached = on_it if region == sp.true else sp.Or(sp.Not(_at(region, there)), on_it, evaluate=False)
+        return [(reached, {FIRST: sp.Rational(n, 7919)}) for n in (1583, 9473, 19001, 27011, 37003, 45007)]
 
     def check_dimensions(self, agree):
         (px, py), _, _, _, _, (x, y), _ = self.args
