@@ -174,10 +174,11 @@ def _comment(function):
     outputs = "\n".join(f" *   {o.name} [{o.unit}]: {o.doc}" for o in function.outputs)
     sources = "\n".join(f" *   {s or 'only form'}: {', '.join(function.sources(s))}" for s in function.variants)
     rest = {o.at_rest for o in function.outputs} - {None}
+    accuracy = function.accuracy.replace("\n", "\n *   ")
     held = f" * Where friction holds the bead: {max(rest):g}, without a flag.\n" if rest else ""
     return (
         f"/* {function.doc}\n *\n * Arguments\n{arguments}\n * Result{'s' * (len(function.outputs) > 1)}\n{outputs}\n"
-        f" * Accuracy: {function.accuracy}.\n{held} * Equations\n{sources}\n */\n"
+        f" * Measured: {accuracy}.\n{held} * Equations\n{sources}\n */\n"
     )
 
 

@@ -1,5 +1,5 @@
-/* Motion on chords and of projectiles under gravity, friction and linear resistance: closed forms, evaluated to full
- * accuracy over the whole range of the floating-point numbers.
+/* Motion on chords and of projectiles under gravity, friction and linear resistance: closed forms, arranged so that
+ * they stay accurate over the whole range of the floating-point numbers; errors are measured, not proved.
  *
  * SI units, angles in radians. Every function comes for double and, with a trailing f, for float (computed in double,
  * rounded once); and for arrays of n elements, _n and _nf, whose outputs may be the inputs. A suffix names the forces
