@@ -6,6 +6,8 @@ from galileo_sym.ledger import LENGTH, MASS, ONE, TIME, Notation
 
 ACCELERATION = LENGTH / TIME**2
 
+ACUTE = sp.Interval.open(0, sp.pi / 2)
+
 notation = Notation("chord")
 symbol, function = notation.symbol, notation.function
 
@@ -24,8 +26,8 @@ t_AB = symbol("t_AB", TIME, "descent time along AB", positive=True)
 t_BC = symbol("t_BC", TIME, "descent time along BC", positive=True)
 t_AC = symbol("t_AC", TIME, "time of fall along AC", positive=True)
 tau = symbol("tau", TIME, "time of free fall along AC", positive=True)
-theta_max = symbol("theta_max", ONE, "angle from which on a bead stays at rest", positive=True)
-theta_c = symbol("theta_c", ONE, "angle of the line on which the centre moves", positive=True)
+theta_max = symbol("theta_max", ONE, "angle from which on a bead stays at rest", ACUTE, positive=True)
+theta_c = symbol("theta_c", ONE, "angle of the line on which the centre moves", ACUTE, positive=True)
 xt = symbol("xt", ONE, "x rescaled by the time-dependent length", real=True)
 yt = symbol("yt", ONE, "y rescaled by the time-dependent length", real=True)
 N = symbol("N", MASS * ACCELERATION, "normal force of the chord on the bead", nonnegative=True)
@@ -54,5 +56,3 @@ y_c = function("y_c", LENGTH, "y of the centre of a synchronous circle")
 F = function("F", ONE, "w*exp(w)")
 W_0 = function("W_0", ONE, "principal real branch of Lambert W")
 W_1 = function("W_1", ONE, "the other real branch of Lambert W, W_(-1)")
-
-half_turn = sp.pi / 2

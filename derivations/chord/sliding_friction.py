@@ -56,6 +56,15 @@ SLIDING = Domain({g: POSITIVE, mu: POSITIVE, t: NONNEGATIVE, theta: TO_THE_RIGHT
 SLIDING_LEFT = Domain({g: POSITIVE, mu: POSITIVE, t: NONNEGATIVE, theta: TO_THE_LEFT})
 POSITIONS = Domain({g: POSITIVE, mu: POSITIVE, t: NONNEGATIVE, theta: Interval(0, LAST)})
 DESCENT = Domain({g: POSITIVE, D: POSITIVE, mu: POSITIVE, theta: TO_THE_RIGHT})
+# all angles, in pieces: so that theta_max itself is tried
+ABOUT_LAST = sp.Union(
+    Interval.open(-pi / 2, -LAST),
+    sp.FiniteSet(-LAST),
+    Interval.open(-LAST, LAST),
+    sp.FiniteSet(LAST),
+    Interval.open(LAST, pi / 2),
+    evaluate=False,
+)
 WITH_MASS = Domain({m: POSITIVE, **SLIDING.ranges})
 WITH_MASS_LEFT = Domain({m: POSITIVE, **SLIDING_LEFT.ranges})
 LAW = Domain({g: POSITIVE, m: POSITIVE, mu: POSITIVE, theta: Interval.open(-pi / 2, pi / 2)})
@@ -129,7 +138,7 @@ def largest_angle(eq12):
 @chapter.derive(
     "chord.claim.slides-iff",
     sp.Equivalent(Gt(cos(theta) - mu * sin(Abs(theta)), 0), Lt(Abs(theta), theta_max)),
-    Domain({g: POSITIVE, mu: POSITIVE, theta: Interval.open(-pi / 2, pi / 2)}),
+    Domain({g: POSITIVE, mu: POSITIVE, theta: ABOUT_LAST}),
     erratum=Erratum(
         ("C1", "C2"),
         "printed with theta <= theta_max: at theta_max the bead stays at A (needs also static = kinetic friction)",

@@ -47,10 +47,10 @@ def _compare(other, derived, declaration, given):
         how = equivalent(derived, other) or _with_definitions(derived, other, declaration.domain, known, own)
         if how:
             return Kind.PROVED, how, None
-        failure = _other_way(other, derived, declaration.domain, known, declaration.id)
+        failure = _other_way(other, derived, declaration, known)
     except EmptyDomain as problem:
         return Kind.VACUOUS, str(problem), None
-    except numeric.Untestable as problem:
+    except Exception as problem:  # what SymPy cannot do with a user's statement is said, not raised
         return Kind.ERROR, f"cannot be compared: {problem}", None
     if failure is not None:
         return Kind.REFUTED, "the other statement holds here, the derived one does not", failure
@@ -81,10 +81,10 @@ def _sides(equation):
     return zip(*equation.args, strict=True) if tuples else [equation.args]
 
 
-def _other_way(other, derived, domain, given, seed):
+def _other_way(other, derived, declaration, given):
     """A point where `other` holds and `derived` fails, looked for by moving one dependent quantity."""
-    for quantity in sorted(_dependent(derived, domain, given), key=str):
-        found = _move(quantity, other, derived, domain, given, seed)
+    for quantity in sorted(_dependent(derived, declaration.domain, given), key=str):
+        found = _move(quantity, other, derived, declaration, given)
         if found is not None:
             return found
     return None
@@ -97,7 +97,9 @@ def _dependent(derived, domain, given):
     return {e for e in spoken if e in given and e not in domain.ranges}
 
 
-def _move(quantity, other, derived, domain, given, seed):
+def _move(quantity, other, derived, declaration, given):
+    domain, seed = declaration.domain, declaration.id
+    within = declaration.notation.ranges.get(quantity, sp.S.Reals)
     symbol = _as_symbol(quantity)
     statements = [statement.xreplace({quantity: symbol}) for statement in (other, derived)]
     if any(_speaks_of(quantity, statement) for statement in statements):
@@ -115,6 +117,8 @@ def _move(quantity, other, derived, domain, given, seed):
         except ZeroDivisionError:
             continue
         for guess in _roots(loose_other, symbol, point, here, rng):
+            if not _allowed(symbol, guess, within):
+                continue
             moved = {**point, symbol: guess}
             if numeric.holds(loose_other, moved) and not numeric.holds(loose_derived, moved):
                 return {str(quantity if s == symbol else s): digits(v) for s, v in moved.items()}
@@ -140,12 +144,12 @@ def _roots(statement, symbol, point, near, rng):
     plain = isinstance(statement, sp.Eq) and not isinstance(statement.lhs, sp.Tuple)
     if symbol not in statement.free_symbols or not plain:
         beside = (near + mpmath.mpf(1) / 3, 2 * near, near / 2, near - mpmath.mpf(1) / 3, -near)
-        return [value for value in beside if _allowed(symbol, value)]
+        return list(beside)
     found = []
     for _ in range(STARTS):
         start = near * mpmath.mpf(rng.uniform(-3, 3)) + mpmath.mpf(rng.uniform(-1, 1))
         root = _newton(statement.lhs - statement.rhs, symbol, point, start)
-        if root is not None and _allowed(symbol, root):
+        if root is not None:
             found.append(root)
     return found
 
@@ -163,5 +167,8 @@ def _newton(expr, symbol, point, start):
         return None
 
 
-def _allowed(symbol, root):
-    return not (symbol.is_positive and root <= 0) and not (symbol.is_nonnegative and root < 0)
+def _allowed(symbol, value, within):
+    """Whether a value is one that the quantity can have: of its sign, and in its range in the notation."""
+    if (symbol.is_positive and value <= 0) or (symbol.is_nonnegative and value < 0):
+        return False
+    return within is sp.S.Reals or float(within.start) < value < float(within.end)

@@ -7,9 +7,21 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
+from sympy.logic.boolalg import Boolean
+
+from .predicates import ExactlyOneRoot, Independent, StrictlyDecreasing, StrictlyIncreasing, UniqueMaximum
 
 MASS, LENGTH, TIME = sp.symbols("mass length time", positive=True)
 ONE = sp.S.One
+
+CLAIMS = {c.__name__: c for c in (ExactlyOneRoot, Independent, StrictlyDecreasing, StrictlyIncreasing, UniqueMaximum)}
+
+
+def _parse(text, names):
+    try:
+        return sp.sympify(text, locals=names)
+    except (sp.SympifyError, TypeError, AttributeError) as problem:
+        raise ValueError(f"cannot read {text!r} as a statement: {problem}") from None
 
 
 @dataclass
@@ -24,12 +36,18 @@ class Notation:
     functions: dict[str, type] = field(default_factory=dict)
     dimensions: dict[object, sp.Expr] = field(default_factory=dict)
     meanings: dict[str, str] = field(default_factory=dict)
+    ranges: dict[sp.Symbol, sp.Interval] = field(default_factory=dict)
 
-    def symbol(self, name: str, dimension, meaning: str, **assumptions) -> sp.Symbol:
-        """Declare a symbol, e.g. ``symbol("g", LENGTH / TIME**2, "gravity", positive=True)``."""
+    def symbol(self, name: str, dimension, meaning: str, inside=None, **assumptions) -> sp.Symbol:
+        """Declare a symbol, e.g. ``symbol("g", LENGTH / TIME**2, "gravity", positive=True)``.
+
+        `inside` is the open interval of its values, if the sign is not all that is known of it.
+        """
         self._claim(name)
         made = sp.Symbol(name, **(assumptions or {"real": True}))
         self.symbols[name] = made
+        if inside is not None:
+            self.ranges[made] = inside
         self.dimensions[made] = sp.sympify(dimension)
         self.meanings[name] = meaning
         return made
@@ -56,6 +74,11 @@ class Notation:
             For example ``Eq(x, t*v)`` or its text.
         like : sympy Boolean
             A statement of ours; where it has f(t) once, a bare symbol f of the user's is read as that.
+
+        Raises
+        ------
+        ValueError, TypeError
+            The text cannot be read, or it is no statement.
         """
         applied = {}
         for f in like.atoms(AppliedUndef):
@@ -64,7 +87,9 @@ class Notation:
         if isinstance(statement, str):
             called = {n: f for n, f in self.functions.items() if re.search(rf"\b{n}\s*\(", statement)}
             names = {**self.symbols, **{n: sp.Symbol(n) for n in bare}, **called, "W": sp.LambertW}
-            statement = sp.sympify(statement, locals=names)
+            statement = _parse(statement, {**CLAIMS, **names})
+        if not isinstance(statement, bool | Boolean):
+            raise TypeError(f"not a statement: {statement!r}; give an equation, an inequality or a claim, or its text")
         statement = sp.sympify(statement)
         table = {s: self.symbols[s.name] for s in statement.atoms(sp.Symbol) if self._differs(s)}
         for symbol in statement.atoms(sp.Symbol):
