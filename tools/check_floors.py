@@ -1,18 +1,21 @@
 """Hold the imports against the floors of docs/design.md: the tree as it is installed, checked by import-linter.
 
 `derivations/` and `generated/` stand at the top of the repository and are installed below the package, so the linter
-is given a copy of the tree as it is installed.
+is given a copy of the tree as it is installed. It runs without `site`: an editable install puts a finder before every
+path, and the linter would look at something else than the copy.
 """
 
 import os
 import shutil
 import subprocess
 import sys
+import sysconfig
 import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MOUNTED = ("derivations", "generated")
+LINT = "from importlinter.cli import lint_imports_command; lint_imports_command()"
 NO_CHAPTERS = ("__init__.py", "notation.py", "shared.py")  # what chapters may import
 
 
@@ -36,9 +39,12 @@ def main() -> int:
         for name in MOUNTED:
             shutil.copytree(ROOT / name, tree / "galileo_sym" / name, ignore=shutil.ignore_patterns("__pycache__"))
         shutil.copy(ROOT / "pyproject.toml", tree)
-        linter = Path(sys.executable).with_name("lint-imports")
+        paths = os.pathsep.join([folder, sysconfig.get_path("purelib"), sysconfig.get_path("platlib")])
         return subprocess.run(
-            [linter, "--no-cache"], cwd=tree, env={**os.environ, "PYTHONPATH": str(tree)}, check=False
+            [sys.executable, "-S", "-c", LINT, "--no-cache"],
+            cwd=tree,
+            env={**os.environ, "PYTHONPATH": paths},
+            check=False,
         ).returncode
 
 
