@@ -5,7 +5,6 @@ import pkgutil
 import shutil
 import subprocess
 import sys
-from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -16,8 +15,6 @@ from galileo_sym.ledger.inventory import tomllib
 
 ROOT = Path(__file__).resolve().parent.parent
 PARTS = ("galileo_sym", "derivations", "generated", "tools")
-
-pytestmark = pytest.mark.skipif(find_spec("importlinter") is None, reason="import-linter is not installed (extra lint)")
 
 PLANTED = {
     "the ledger looks up at the tactics": ("galileo_sym/ledger/verdict.py", "import galileo_sym.tactics"),
