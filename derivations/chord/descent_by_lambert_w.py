@@ -1,9 +1,9 @@
 """Section 4, second half: the descent time by Lambert W, equations (33) to (36), with the branch for every drag."""
 
 import sympy as sp
-from galileo_sym.derivations.chord.notation import W_0, W_1, D, F, c, g, gamma, notation, q, t_AB, w
 from sympy import And, Eq, Ge, Gt, Interval, LambertW, Le, Lt, Or, exp, oo
 
+from galileo_sym.derivations.chord.notation import W_0, W_1, D, F, c, g, gamma, notation, q, t_AB, w
 from galileo_sym.ledger import (
     POSITIVE,
     REAL,

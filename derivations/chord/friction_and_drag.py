@@ -1,6 +1,8 @@
 """Section 5: sliding friction and linear drag together, equations (40) to (49)."""
 
 import sympy as sp
+from sympy import Abs, And, Eq, Interval, LambertW, atan, cos, exp, sin, sqrt, tan
+
 from galileo_sym.derivations.chord.notation import (
     D,
     R,
@@ -22,8 +24,6 @@ from galileo_sym.derivations.chord.notation import (
     y,
     yt,
 )
-from sympy import Abs, And, Eq, Interval, LambertW, atan, cos, exp, sin, sqrt, tan
-
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,

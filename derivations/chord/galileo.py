@@ -1,6 +1,8 @@
 """Sections 1 and 2: Galileo's kinematical paradox without resistance, equations (1) to (11)."""
 
 import sympy as sp
+from sympy import And, Eq, Interval, Tuple, cos, pi, sin, sqrt
+
 from galileo_sym.derivations.chord.notation import (
     D,
     R,
@@ -20,8 +22,6 @@ from galileo_sym.derivations.chord.notation import (
     y,
     y_c,
 )  # fmt: skip
-from sympy import And, Eq, Interval, Tuple, cos, pi, sin, sqrt
-
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,

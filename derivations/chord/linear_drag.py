@@ -1,6 +1,8 @@
 """Section 4: a resistive force proportional to velocity, equations (28) to (36)."""
 
 import sympy as sp
+from sympy import And, Eq, Gt, Interval, Lt, Tuple, atan, cos, exp, oo, pi, sin
+
 from galileo_sym.derivations.chord.notation import (
     D,
     F_d,
@@ -18,8 +20,6 @@ from galileo_sym.derivations.chord.notation import (
     x,
     y,
 )
-from sympy import And, Eq, Gt, Interval, Lt, Tuple, atan, cos, exp, oo, pi, sin
-
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,

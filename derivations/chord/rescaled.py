@@ -1,6 +1,8 @@
-"""Section 3, end: the rescaled synchronous curve, claims about (26) and (27) and figure 4."""
+"""Section 3, end: the rescaled synchronous curve, equations (25) to (27), and figure 4."""
 
 import sympy as sp
+from sympy import And, Eq, Ge, Interval, Le, Limit, Or, Tuple, atan, cos, sin, sqrt
+
 from galileo_sym.derivations.chord.notation import (
     apart,
     g,
@@ -20,16 +22,62 @@ from galileo_sym.derivations.chord.notation import (
     yt_l,
     yt_r,
 )
-from sympy import And, Eq, Ge, Interval, Le, Limit, Or, Tuple, atan, cos, sin, sqrt
-
-from galileo_sym.ledger import POSITIVE, REAL, Chapter, DerivationError, Domain, Independent, tell_chapter
-from galileo_sym.tactics import elementary_limit, not_negative, read_circle
+from galileo_sym.derivations.chord.shared import (
+    ARC,
+    LEFT_ARC,
+    LEFT_POINT,
+    RIGHT_POINT,
+    K,
+)
+from galileo_sym.ledger import (
+    POSITIVE,
+    REAL,
+    Chapter,
+    DerivationError,
+    Domain,
+    Independent,
+    tell_chapter,
+)
+from galileo_sym.tactics import (
+    elementary_limit,
+    isolate,
+    not_negative,
+    read_circle,
+)
 
 chapter = Chapter("chord.rescaled", notation, "3. Sliding friction")
 
 PLANE = Domain({mu: POSITIVE, xt: REAL, yt: REAL})
 RIGHT = (xt + mu) ** 2 + (yt - 1) ** 2
 LEFT = (xt - mu) ** 2 + (yt - 1) ** 2
+
+chapter.given(
+    "chord.eq25",
+    And(Eq(xt, x / (g * t**2 / 4)), Eq(yt, y / (g * t**2 / 4))),
+    Domain({g: POSITIVE, t: POSITIVE, x: REAL, y: REAL}),
+)
+
+EQ26 = Eq((xt + mu) ** 2 + (yt - 1) ** 2, 1 + mu**2)
+EQ27 = Eq((xt - mu) ** 2 + (yt - 1) ** 2, 1 + mu**2)
+
+
+def rescale(circle_equation, definition):
+    """Put x = K xt and y = K yt in, and divide by K^2."""
+    put = {c: isolate(Eq(name, definition.of(name), evaluate=False), c).rhs for c, name in ((x, xt), (y, yt))}
+    left, right = (sp.expand(side.subs(put) / K**2) for side in circle_equation.args)
+    return Eq(left, right, evaluate=False)
+
+
+@chapter.derive("chord.eq26", EQ26, Domain(ARC.ranges, where={x: RIGHT_POINT[0], y: RIGHT_POINT[1]}))
+def rescaled_right(eq21, eq25):
+    """Rescale (21)."""
+    return rescale(eq21.equation, eq25)
+
+
+@chapter.derive("chord.eq27", EQ27, Domain(LEFT_ARC.ranges, where={x: LEFT_POINT[0], y: LEFT_POINT[1]}))
+def rescaled_left(eq24, eq25):
+    """Rescale (24)."""
+    return rescale(eq24.equation, eq25)
 
 
 @chapter.derive(

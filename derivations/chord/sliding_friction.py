@@ -1,6 +1,8 @@
 """Section 3, first half: motion with sliding friction, equations (12) to (20)."""
 
 import sympy as sp
+from sympy import Abs, And, Eq, Gt, Interval, Le, Lt, atan, cos, pi, sin, sqrt, tan
+
 from galileo_sym.derivations.chord.notation import (
     D,
     F_f,
@@ -20,8 +22,6 @@ from galileo_sym.derivations.chord.notation import (
     x,
     y,
 )
-from sympy import Abs, And, Eq, Gt, Interval, Le, Lt, atan, cos, pi, sin, sqrt, tan
-
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,

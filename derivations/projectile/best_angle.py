@@ -1,6 +1,20 @@
 """A closed form for the maximum range angle: Theorem 3, both cases."""
 
 import sympy as sp
+from sympy import (
+    And,
+    Eq,
+    Gt,
+    Interval,
+    LambertW,
+    Lt,
+    Ne,
+    Piecewise,
+    asin,
+    exp,
+    sin,
+)
+
 from galileo_sym.derivations.projectile.notation import (
     BEYOND,
     a,
@@ -31,20 +45,6 @@ from galileo_sym.derivations.projectile.shared import (
     sine_of_u,
     tidy_exponents,
 )
-from sympy import (
-    And,
-    Eq,
-    Gt,
-    Interval,
-    LambertW,
-    Lt,
-    Ne,
-    Piecewise,
-    asin,
-    exp,
-    sin,
-)
-
 from galileo_sym.ledger import (
     Chapter,
     DerivationError,

@@ -1,6 +1,8 @@
 """The inverse range problem: u, y and R, and Lemma (a) to (c) with each step of the proofs."""
 
 import sympy as sp
+from sympy import And, Derivative, Eq, Gt, LambertW, Limit, Lt, cos, exp, sin
+
 from galileo_sym.derivations.projectile.notation import (
     BEYOND,
     CURVATURE,
@@ -21,8 +23,6 @@ from galileo_sym.derivations.projectile.notation import (
     u,
     v,
 )  # fmt: skip
-from sympy import And, Derivative, Eq, Gt, LambertW, Limit, Lt, cos, exp, sin
-
 from galileo_sym.ledger import (
     POSITIVE,
     Chapter,

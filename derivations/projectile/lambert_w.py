@@ -1,9 +1,9 @@
 """The Lambert W function: results (1), (2) and (3)."""
 
 import sympy as sp
-from galileo_sym.derivations.projectile.notation import T, a, b, c, d, notation, q, t, w
 from sympy import And, Eq, Equivalent, Ge, Interval, LambertW, Le, Lt, Ne, exp
 
+from galileo_sym.derivations.projectile.notation import T, a, b, c, d, notation, q, t, w
 from galileo_sym.ledger import (
     REAL,
     Chapter,

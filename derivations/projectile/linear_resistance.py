@@ -1,9 +1,9 @@
 """Finding the range with resistance proportional to the velocity: the motion."""
 
 import sympy as sp
-from galileo_sym.derivations.projectile.notation import HALF_TURN, g, k, notation, t, theta, v, v_x, v_y, x, y
 from sympy import Eq, cos, exp, sin
 
+from galileo_sym.derivations.projectile.notation import HALF_TURN, g, k, notation, t, theta, v, v_x, v_y, x, y
 from galileo_sym.ledger import NONNEGATIVE, POSITIVE, Chapter, Domain, step, tell_chapter
 from galileo_sym.tactics import integrate_from_zero, solve_motion
 

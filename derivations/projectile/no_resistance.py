@@ -1,6 +1,8 @@
 """Finding the range without resistance: the parabola, the range, and the best angle pi/4."""
 
 import sympy as sp
+from sympy import And, Eq, Interval, cos, pi, sin, tan
+
 from galileo_sym.derivations.projectile.notation import (
     HALF_TURN,
     RISING,
@@ -16,8 +18,6 @@ from galileo_sym.derivations.projectile.notation import (
     x,
     y,
 )  # fmt: skip
-from sympy import And, Eq, Interval, cos, pi, sin, tan
-
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,

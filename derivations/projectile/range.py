@@ -1,6 +1,8 @@
 """A symbolic solution for the range: impact time, range, and the parameter that removes W."""
 
 import sympy as sp
+from sympy import And, Eq, Equivalent, Interval, LambertW, Le, Limit, Lt, cos, exp, sin
+
 from galileo_sym.derivations.projectile.notation import (
     HALF_TURN,
     RISING,
@@ -26,8 +28,6 @@ from galileo_sym.derivations.projectile.notation import (
     x,
     y,
 )  # fmt: skip
-from sympy import And, Eq, Equivalent, Interval, LambertW, Le, Limit, Lt, cos, exp, sin
-
 from galileo_sym.ledger import (
     POSITIVE,
     Chapter,

@@ -1,6 +1,8 @@
 """The inverse range problem: Lemma (d) to (f), the slopes of the range, with each step of the proofs."""
 
 import sympy as sp
+from sympy import And, Derivative, Eq, cos, cot, sin, tan
+
 from galileo_sym.derivations.projectile.notation import (
     BETWEEN,
     BEYOND,
@@ -19,8 +21,6 @@ from galileo_sym.derivations.projectile.notation import (
     u,
     v,
 )  # fmt: skip
-from sympy import And, Derivative, Eq, cos, cot, sin, tan
-
 from galileo_sym.ledger import (
     Chapter,
     DerivationError,

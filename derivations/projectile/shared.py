@@ -1,9 +1,9 @@
 """What the sections on the best angle share: the cases of alpha, the sine in terms of u, and W(z e^z) = z."""
 
 import sympy as sp
-from galileo_sym.derivations.projectile.notation import TRIAL_Y, StationaryAngle, alpha, k, tau, theta, theta_max, u, w
 from sympy import Eq, Ge, Interval, LambertW, exp, sin
 
+from galileo_sym.derivations.projectile.notation import TRIAL_Y, StationaryAngle, alpha, k, tau, theta, theta_max, u, w
 from galileo_sym.ledger import Domain
 from galileo_sym.tactics import isolate
 

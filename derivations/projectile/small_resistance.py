@@ -1,8 +1,8 @@
 """A limit theorem for inverse functions and its application: W(u e^u) as u comes to -1 from below."""
 
-from galileo_sym.derivations.projectile.notation import W_u, notation, s, u
 from sympy import Eq, Limit
 
+from galileo_sym.derivations.projectile.notation import W_u, notation, s, u
 from galileo_sym.ledger import Chapter, Domain, step, tell_chapter
 from galileo_sym.tactics import limit_by_parameter
 

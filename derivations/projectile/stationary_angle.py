@@ -1,6 +1,18 @@
 """A closed form for the maximum range angle: from dR/dtheta = 0 to an equation between u and alpha."""
 
 import sympy as sp
+from sympy import (
+    And,
+    Derivative,
+    Eq,
+    Equivalent,
+    LambertW,
+    cos,
+    exp,
+    sin,
+    tan,
+)
+
 from galileo_sym.derivations.projectile.notation import (
     BETWEEN,
     SHOT,
@@ -32,18 +44,6 @@ from galileo_sym.derivations.projectile.shared import (
     sine_of_u,
     tidy_exponents,
 )
-from sympy import (
-    And,
-    Derivative,
-    Eq,
-    Equivalent,
-    LambertW,
-    cos,
-    exp,
-    sin,
-    tan,
-)
-
 from galileo_sym.ledger import (
     POSITIVE,
     Chapter,

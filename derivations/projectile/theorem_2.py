@@ -1,6 +1,8 @@
 """The inverse range problem: Theorem 2, the shape of the range as a function of resistance and angle."""
 
 import sympy as sp
+from sympy import And, Derivative, Eq, Equivalent, Gt, Interval, Limit, Lt, pi, tan
+
 from galileo_sym.derivations.projectile.notation import (
     BETWEEN,
     BEYOND,
@@ -24,8 +26,6 @@ from galileo_sym.derivations.projectile.notation import (
     u,
     v,
 )  # fmt: skip
-from sympy import And, Derivative, Eq, Equivalent, Gt, Interval, Limit, Lt, pi, tan
-
 from galileo_sym.ledger import (
     POSITIVE,
     Chapter,

@@ -1,9 +1,9 @@
 """Each stable form where the drag vanishes: the limit of the printed form, in value and in first derivative."""
 
 import sympy as sp
-from galileo_sym.derivations.chord.notation import D, g, gamma, mu, n, notation, t, theta
 from sympy import Interval, LambertW, Tuple, atan, cos, exp, pi, sin, sqrt
 
+from galileo_sym.derivations.chord.notation import D, g, gamma, mu, n, notation, t, theta
 from galileo_sym.ledger import POSITIVE, Chapter, Domain, tell_chapter
 from galileo_sym.primitives import descent_factor, driving, phi2
 from galileo_sym.tactics import limits_at_zero, twin_at_zero

@@ -1,8 +1,8 @@
 """Each stable form of a projectile without resistance: the limit of the printed form, value and first derivative."""
 
-from galileo_sym.derivations.projectile.notation import g, k, notation, t, theta, v
 from sympy import Interval, LambertW, Tuple, cos, exp, pi, sin
 
+from galileo_sym.derivations.projectile.notation import g, k, notation, t, theta, v
 from galileo_sym.ledger import POSITIVE, Chapter, Domain, tell_chapter
 from galileo_sym.primitives import flight_factor, phi1, phi2, range_factor
 from galileo_sym.tactics import limits_at_zero, twin_at_zero

@@ -1,9 +1,9 @@
 """Stable forms of the chord formulas: the drag-free value times a factor of one dimensionless number."""
 
 import sympy as sp
-from galileo_sym.derivations.chord.notation import D, R, X, Y, g, gamma, mu, n, notation, s, t, t_AB, theta, x, y
 from sympy import Abs, Eq, Interval, Tuple, atan, cos, exp, pi, sin, sqrt
 
+from galileo_sym.derivations.chord.notation import D, R, X, Y, g, gamma, mu, n, notation, s, t, t_AB, theta, x, y
 from galileo_sym.ledger import NONNEGATIVE, POSITIVE, Chapter, DerivationError, Domain, step, tell_chapter
 from galileo_sym.primitives import descent_factor, driving, phi2
 from galileo_sym.tactics import at_rest, introduce, read_circle, solve_motion

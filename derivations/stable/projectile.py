@@ -1,9 +1,9 @@
 """Stable forms of the projectile formulas: the value without resistance times a factor of one dimensionless number."""
 
 import sympy as sp
-from galileo_sym.derivations.projectile.notation import R, alpha, g, k, notation, t, theta, theta_max, u, v, x, y
 from sympy import Eq, Interval, Lt, Tuple, asin, cos, exp, pi, sin
 
+from galileo_sym.derivations.projectile.notation import R, alpha, g, k, notation, t, theta, theta_max, u, v, x, y
 from galileo_sym.ledger import POSITIVE, Chapter, DerivationError, Domain, step, tell_chapter
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.primitives import best_angle, best_sine, flight_factor, phi1, phi2, range_factor

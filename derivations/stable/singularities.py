@@ -4,9 +4,9 @@ With s = gamma t (or k t) at the arrival: p^2/2 = s - 1 + e^(-s); 1 + b = s/(1 -
 """
 
 import sympy as sp
-from galileo_sym.derivations.stable.notation import a, b, notation, p, s, z
 from sympy import Ge, LambertW, Rational, asin, exp, pi, sqrt
 
+from galileo_sym.derivations.stable.notation import a, b, notation, p, s, z
 from galileo_sym.ledger import POSITIVE, Chapter, DerivationError, Domain, step, tell_chapter
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.primitives import (
