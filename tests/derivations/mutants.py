@@ -61,15 +61,18 @@ def opposite(statement):
     return sp.Eq(statement.lhs, -statement.rhs, evaluate=False) if isinstance(statement, sp.Eq) else statement
 
 
-def noticed(entry, truths: dict, premise: str, mutant) -> bool:
+def noticed(ledger, identifier: str, premise: str, mutant) -> bool:
     """Whether the derivation of an entry comes to nothing, or to something not proved, when one premise is wrong."""
+    entry = ledger[identifier]
+    truths = {i: ledger[i].result for i in entry.premises}
+    domains = {i: ledger[i].declaration.domain for i in entry.premises}
     declaration = entry.declaration
     outcome = run(declaration, {**truths, premise: mutant})
     if outcome.problem or _false(outcome.result, entry, truths):
         return True
     if equivalent(outcome.result, declaration.printed) is None:
         return True
-    return judge(declaration, outcome, truths).kind is not Kind.PROVED
+    return judge(declaration, outcome, truths, domains).kind is not Kind.PROVED
 
 
 def _false(result, entry, truths):
