@@ -8,9 +8,10 @@ from functools import cache
 from pathlib import Path
 from tempfile import mkdtemp
 
-import galileo_sym.generated
 import numpy as np
 import pytest
+
+import galileo_sym.generated
 
 SOURCES = Path(galileo_sym.generated.__file__).parent / "c"
 FLAGS = ["-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]

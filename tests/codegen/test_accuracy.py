@@ -6,10 +6,10 @@ import compiled
 import numpy as np
 import printed_forms
 import pytest
-from galileo_sym.generated import chord, projectile
 from samples import arguments
 
 from galileo_sym.catalogue import FUNCTIONS
+from galileo_sym.generated import chord, projectile
 
 MODULES = {"chord": chord, "projectile": projectile}
 REFERENCES = {

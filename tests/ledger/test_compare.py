@@ -2,9 +2,9 @@
 
 import pytest
 import sympy as sp
-from galileo_sym.derivations.chord.notation import D, R, X, Y, g, gamma, mu, s, t, t_AB, theta, x, y
 from sympy import Eq, LambertW, cos, exp, sin, sqrt, tan
 
+from galileo_sym.derivations.chord.notation import D, R, X, Y, g, gamma, mu, s, t, t_AB, theta, x, y
 from galileo_sym.ledger import Kind
 from galileo_sym.tactics import other_branch
 

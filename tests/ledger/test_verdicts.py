@@ -6,10 +6,10 @@ from dataclasses import FrozenInstanceError
 import pytest
 import small_ledger as small
 import sympy as sp
-from galileo_sym.derivations.chord.notation import g
 from small_ledger import SOME, TWICE, a, b, chapter, entry, f, h, p, q, r
 from sympy import And, Eq, Gt, Interval, Lt
 
+from galileo_sym.derivations.chord.notation import g
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,
