@@ -24,6 +24,7 @@ from galileo_sym.derivations.chord.notation import (
     y,
     yt,
 )
+from galileo_sym.derivations.chord.shared import doubled_coordinates
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,
@@ -205,9 +206,7 @@ BEADS = Domain(SIDES.ranges, where={x: X_OF, y: Y_OF})
 def circle_with_y(eq41, eq45, setup, eq7, eq8):
     """The circle on which the beads of one side are, theta eliminated, with Y(t) for half the fall."""
     along = sp.simplify(eq41.rhs / (2 * eq45.rhs)) * 2 * Y(t)
-    put = {sin(theta) * cos(theta): eq7.rhs / 2}
-    across = sp.expand(setup.of(x).subs(s(t), along)).subs(put).subs(sin(theta) ** 2, 1 - eq8.rhs / 2)
-    down = sp.expand(setup.of(y).subs(s(t), along)).subs(put).subs(cos(theta) ** 2, eq8.rhs / 2)
+    across, down = doubled_coordinates(along, setup, eq7.rhs, eq8.rhs)
     step("abscissa for theta >= 0", Eq(sigma * x, across))
     step("ordinate for theta >= 0", Eq(y, down))
     plain = sp.Symbol("plain", positive=True)  # a name for Y(t) while the basis is computed

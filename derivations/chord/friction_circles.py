@@ -28,7 +28,7 @@ from galileo_sym.derivations.chord.shared import (
     ONE_ARC,
     K,
     centred,
-    left_coordinates,
+    doubled_coordinates,
     without_s,
 )
 from galileo_sym.ledger import (
@@ -155,7 +155,7 @@ def angles_add_up(eq13, eq23):
 def left_circle(eq14, setup, eq7, eq8):
     """Solve (14) from rest, write the coordinates with 2 theta, and eliminate it."""
     path = step("the path", solve_motion(eq14.equation, s(t), start_of(setup.parts, s(t))))
-    across, down = left_coordinates(path.rhs, setup, eq7.rhs, eq8.rhs)
+    across, down = doubled_coordinates(path.rhs, setup, eq7.rhs, eq8.rhs)
     step("abscissa", Eq(x, across))
     step("ordinate", Eq(y, down))
     return centred(eliminate_angle(Eq(x, across), Eq(y, down), 2 * theta, (x, y)))

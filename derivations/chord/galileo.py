@@ -22,6 +22,7 @@ from galileo_sym.derivations.chord.notation import (
     y,
     y_c,
 )  # fmt: skip
+from galileo_sym.derivations.chord.shared import without_s
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,
@@ -187,15 +188,10 @@ def ordinate(setup, eq1, eq8):
     return And(Eq(y, setup.of(y)), Eq(y, product.subs(cos(theta) ** 2, eq8.rhs / 2), evaluate=False))
 
 
-def _without_s(premise, coordinate):
-    """The equation of a coordinate that does not mention s(t)."""
-    return next(e for e in premise.parts if e.lhs == coordinate and not e.rhs.has(s))
-
-
 @chapter.derive("chord.eq9", Eq(x**2 + (y - g * t**2 / 4) ** 2, (g * t**2 / 4) ** 2), CIRCLE)
 def synchronous_circle(eq5, eq6):
     """Eliminate theta."""
-    return eliminate_angle(_without_s(eq5, x), _without_s(eq6, y), 2 * theta, (x, y))
+    return eliminate_angle(without_s(eq5, x), without_s(eq6, y), 2 * theta, (x, y))
 
 
 @chapter.derive("chord.eq10", Eq(R(t), g * t**2 / 4), Domain({g: POSITIVE, t: NONNEGATIVE}))
@@ -236,7 +232,7 @@ def centre_acceleration(eq9):
 )
 def whole_circle(eq5, eq6, eq9):
     """Seen from the centre, the bead is at the angle 2 theta, which runs through a whole turn."""
-    point = (_without_s(eq5, x).rhs, _without_s(eq6, y).rhs)
+    point = (without_s(eq5, x).rhs, without_s(eq6, y).rhs)
     return trace_circle(point, theta, QUARTER, eq9.equation, sp.true, (x, y), sp.atan(x / y))
 
 
@@ -262,7 +258,7 @@ def expanding_circle(eq5, eq6, eq9, claim__centre_accel):
 
 def on_circle(circle, eq5, eq6):
     """Refuse a circle on which the beads (5), (6) are not."""
-    bead = {x: _without_s(eq5, x).rhs, y: _without_s(eq6, y).rhs}
+    bead = {x: without_s(eq5, x).rhs, y: without_s(eq6, y).rhs}
     if is_zero((circle.lhs - circle.rhs).subs(bead)) is None:
         raise DerivationError(f"the beads {bead} are not on {circle}")
     step("a bead", Eq(Tuple(x, y), Tuple(bead[x], bead[y]), evaluate=False))

@@ -20,6 +20,7 @@ from galileo_sym.derivations.chord.notation import (
     x,
     y,
 )
+from galileo_sym.derivations.chord.shared import doubled_coordinates
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,
@@ -105,8 +106,7 @@ def synchronous_circle(eq29, eq32, setup, eq7, eq8):
 def point_at(path, half, setup, double_sine, double_cosine):
     """x and y of a bead, with R(t) for half the fall along the vertical."""
     along = sp.simplify(path.rhs / half.rhs) * R(t)
-    across = sp.expand(setup.of(x).subs(s(t), along)).subs(sin(theta) * cos(theta), double_sine.rhs / 2)
-    down = sp.expand(setup.of(y).subs(s(t), along)).subs(cos(theta) ** 2, double_cosine.rhs / 2)
+    across, down = doubled_coordinates(along, setup, double_sine.rhs, double_cosine.rhs)
     return across, sp.expand(down)
 
 

@@ -51,7 +51,7 @@ def centred(found):
     return Eq((x - a) ** 2 + (y - b) ** 2, rho**2, evaluate=False)
 
 
-def left_coordinates(path, setup, double_sine, double_cosine):
+def doubled_coordinates(path, setup, double_sine, double_cosine):
     """x and y of a bead at distance `path`, with sines and cosines of 2 theta."""
     put = {sin(theta) * cos(theta): double_sine / 2}
     across = sp.expand(setup.of(x).subs(s(t), path)).subs(put).subs(sin(theta) ** 2, 1 - double_cosine / 2)

@@ -29,7 +29,7 @@ from galileo_sym.derivations.chord.shared import (
     RIGHT,
     RIGHT_POINT,
     K,
-    left_coordinates,
+    doubled_coordinates,
     without_s,
 )
 from galileo_sym.ledger import (
@@ -105,7 +105,7 @@ def right_arc(eq19, eq20, eq21, eq23, support__theta_c_max):
 def union(claim__arc_x_positive, eq14, eq24, setup, eq7, eq8, eq23, support__theta_c_max):
     """The left arc is traced by (14) as the right one is by (12)."""
     path = solve_motion(eq14.equation, s(t), start_of(setup.parts, s(t)))
-    point = left_coordinates(path.rhs, setup, eq7.rhs, eq8.rhs)
+    point = doubled_coordinates(path.rhs, setup, eq7.rhs, eq8.rhs)
     offset = eq23.of(theta_c)
     complement = isolate(support__theta_c_max.equation, theta_max).rhs.subs(theta_c, offset)
     left = trace_circle(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
-from sympy.logic.boolalg import Boolean
 
 from .predicates import Claim
 
@@ -113,7 +112,3 @@ def as_algebra(statement):
     statement = statement.xreplace(names)
     rest = {e: sp.Dummy(str(e), real=True) for e in opaque(statement)}
     return statement.xreplace(rest), {**names, **rest}
-
-
-def is_statement(thing) -> bool:
-    return isinstance(thing, Boolean)
