@@ -48,7 +48,7 @@ class Entry:
 
     @property
     def kind(self) -> str:
-        """What the paper makes of it: law, definition, equation, claim, lemma, theorem, limit; or stable."""
+        """What the paper makes of it: law, definition, equation, claim, lemma, theorem, limit; or stable, beyond."""
         return self.declaration.item.kind
 
     @property

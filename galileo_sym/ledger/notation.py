@@ -61,6 +61,11 @@ class Notation:
         self.meanings[name] = meaning
         return made
 
+    def extended(self) -> Notation:
+        """A notation of its own with all of this vocabulary, to which more can be added."""
+        tables = (self.symbols, self.functions, self.dimensions, self.meanings, self.ranges)
+        return Notation(self.paper, *(dict(table) for table in tables))
+
     def _claim(self, name):
         if name in self.symbols or name in self.functions:
             raise ValueError(f"the name {name!r} is taken in the notation of {self.paper}: choose another")

@@ -13,6 +13,8 @@ from .domain import Domain
 from .inventory import Item, inventory
 from .notation import Notation
 
+NOT_PRINTED = ("stable", "beyond")  # first words of the ids that are in neither paper
+
 
 @dataclass(frozen=True)
 class Erratum:
@@ -106,12 +108,13 @@ class Chapter:
     def _premise_id(self, name):
         identifier = name.replace("__", ".").replace("_", "-")
         first = identifier.split(".")[0]
-        return identifier if first in ("chord", "projectile", "stable") else f"{self.notation.paper}.{identifier}"
+        return identifier if first in ("chord", "projectile", *NOT_PRINTED) else f"{self.notation.paper}.{identifier}"
 
     def _item(self, identifier):
         known = inventory().get(identifier)
         if known is not None:
             return known
-        if not identifier.startswith("stable."):
+        kind = identifier.split(".")[0]
+        if kind not in NOT_PRINTED:
             raise ValueError(f"{identifier} is not in the inventory of the papers: check the id")
-        return Item(identifier, self.notation.paper, "not printed", self.title, "stable", "", "", (), False)
+        return Item(identifier, self.notation.paper, "not printed", self.title, kind, "", "", (), False)

@@ -1,0 +1,1 @@
+"""What the papers leave open: the second root, pure numbers, slopes and hills, the inverse problem, the envelope."""
