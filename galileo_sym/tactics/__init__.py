@@ -1,11 +1,15 @@
 """The symbolic moves that derivations are made of, one small module each."""
 
+from .angles import Wave, as_wave, undo_arctangent
 from .boxes import box_of, compare_on, sign_by_ladder, sign_on, trig_box
+from .branches import all_preimages
 from .circles import Circle, read_circle, sine_maximum, trace_circle
+from .composition import compose_monotone
 from .eliminate import eliminate, eliminate_angle
 from .factors import first_order, introduce, limits_at_zero, twin_at_zero
 from .implicit import implicit_derivative
 from .inverse import inverse_between, undo
+from .known_limits import limit_of_inverse, limit_with_part
 from .limits import elementary_limit, limit_along, limit_by_parameter
 from .linear_exponential import (
     check_root,
@@ -17,6 +21,9 @@ from .linear_exponential import (
     solve_linear_exponential,
 )
 from .ode import at_rest, integrate_from_zero, solve_motion, start_of
+from .order import same_order
+from .rescale import rescale
+from .reversion import revert_minimum, taylor
 from .roots import (
     above_limit,
     bound_by_end,
@@ -40,13 +47,17 @@ from .solve import isolate, substitute, unhide
 
 __all__ = [
     "Circle",
+    "Wave",
     "above_limit",
+    "all_preimages",
     "arguments_reversed",
+    "as_wave",
     "at_rest",
     "bound_by_end",
     "box_of",
     "check_root",
     "compare_on",
+    "compose_monotone",
     "elementary_limit",
     "eliminate",
     "eliminate_angle",
@@ -60,6 +71,8 @@ __all__ = [
     "least_value",
     "limit_along",
     "limit_by_parameter",
+    "limit_of_inverse",
+    "limit_with_part",
     "limits_at_zero",
     "monotone",
     "monotone_on_half_line",
@@ -71,7 +84,10 @@ __all__ = [
     "read_circle",
     "read_coefficients",
     "require_real",
+    "rescale",
+    "revert_minimum",
     "root_of_product",
+    "same_order",
     "sides_of_root",
     "sign_by_factors",
     "sign_by_ladder",
@@ -82,10 +98,12 @@ __all__ = [
     "solve_motion",
     "start_of",
     "substitute",
+    "taylor",
     "trace_circle",
     "trig_box",
     "twin_at_zero",
     "undo",
+    "undo_arctangent",
     "unhide",
     "unique_maximum",
     "values_ordered",

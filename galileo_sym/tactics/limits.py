@@ -47,7 +47,16 @@ def limit_along(known: sp.Eq, parameter, path, at, side="+"):
 def _require_approach(variable, point, direction, parameter, path, at, side):
     if elementary_limit(path, parameter, at, side) != point:
         raise DerivationError(f"{variable} = {path} does not tend to {point} as {parameter} goes to {at}")
-    slope = sp.limit(sp.diff(path, parameter), parameter, at, side)
-    moves = slope * (1 if side == "+" else -1)
+    order, slope = _first_slope(path, parameter, at, side)
+    moves = slope * (1 if side == "+" else (-1) ** order)
     if not (moves.is_positive if direction == "+" else moves.is_negative):
         raise DerivationError(f"{variable} = {path} does not approach {point} from the side {direction!r}")
+
+
+def _first_slope(path, parameter, at, side):
+    """The first derivative that does not tend to 0: it decides from which side the path comes."""
+    for order in (1, 2, 3):
+        slope = elementary_limit(sp.diff(path, parameter, order), parameter, at, side)
+        if slope != 0:
+            break
+    return order, slope
