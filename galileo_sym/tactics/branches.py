@@ -36,6 +36,8 @@ def all_preimages(inverses, variable, *, never=()) -> sp.Equivalent:
         The intervals do not cover the real line, or the inverses are not of one function and value.
     """
     (first, trip, _), value = inverses[0], inverses[0][1].rhs
+    if not value.is_Symbol:
+        raise DerivationError(f"{trip} does not say what {value} is for every {value}")
     function, roots, covered = first.args[0], [], sp.S.EmptySet
     for claim, round_trip, values in inverses:
         undo(claim, round_trip, values, variable)
