@@ -57,3 +57,9 @@ def doubled_coordinates(path, setup, double_sine, double_cosine):
     across = sp.expand(setup.of(x).subs(s(t), path)).subs(put).subs(sin(theta) ** 2, 1 - double_cosine / 2)
     down = sp.expand(setup.of(y).subs(s(t), path)).subs(put).subs(cos(theta) ** 2, double_cosine / 2)
     return across, down
+
+
+def slope_at_vertical(arc):
+    """dy/dx of an arc at theta = 0."""
+    across, down = arc.args[0]
+    return sp.simplify((sp.diff(down, theta) / sp.diff(across, theta)).subs(theta, 0))

@@ -30,6 +30,7 @@ from galileo_sym.derivations.chord.shared import (
     RIGHT_POINT,
     K,
     doubled_coordinates,
+    slope_at_vertical,
     without_s,
 )
 from galileo_sym.ledger import (
@@ -126,12 +127,6 @@ def not_a_circle(claim__union_of_arcs):
     if sp.simplify(right - left).is_zero is not False:
         raise DerivationError("the slopes are equal")
     return And(Eq(slope_right, right), Eq(slope_left, left), Ne(slope_right, slope_left))
-
-
-def slope_at_vertical(arc):
-    """dy/dx of an arc at theta = 0."""
-    across, down = arc.args[0]
-    return sp.simplify((sp.diff(down, theta) / sp.diff(across, theta)).subs(theta, 0))
 
 
 @chapter.derive(
