@@ -16,6 +16,7 @@ EXAMPLES = """\
 examples:
   galileo-sym derive chord.eq21 --show      tell one derivation step by step
   galileo-sym derive projectile --json      the verdicts of a paper, as JSON
+  galileo-sym derive --graph -o build       draw what is derived from what
   galileo-sym emit --check                  say what in generated/ differs from what would be emitted now
   galileo-sym verify chord.distance --points 5000
   galileo-sym all                           derive, emit, verify
@@ -77,6 +78,9 @@ def parser() -> argparse.ArgumentParser:
     derive = commands.add_parser("derive", help="rerun derivations, and say what is proved", allow_abbrev=False)
     derive.add_argument("names", nargs="*", metavar="ID|CHAPTER", help="entries or chapters; all if none is given")
     derive.add_argument("--show", action="store_true", help="tell each derivation step by step")
+    derive.add_argument("--coverage", action="store_true", help="tables: what of the papers is proved; the errata")
+    derive.add_argument("--graph", action="store_true", help="draw what is derived from what: derivations.dot and .svg")
+    derive.add_argument("-o", "--output", metavar="DIR", help="write the drawing there instead of here")
 
     emit = commands.add_parser("emit", help="write generated/, or hold it against its sources", allow_abbrev=False)
     emit.add_argument("--check", action="store_true", help="write nothing; say what differs, exit 1 if anything does")
@@ -90,6 +94,10 @@ def parser() -> argparse.ArgumentParser:
     verify.add_argument("--update", action="store_true", help="renew the certificates")
 
     everything = commands.add_parser("all", help="derive, emit, verify", allow_abbrev=False)
+    for command in (derive, everything):
+        command.add_argument(
+            "--fresh", action="store_true", help="derive all anew, also what an earlier run has proved"
+        )
     for command in (derive, emit, verify, everything):
         command.add_argument("--json", action="store_true", help="print JSON")
     return top

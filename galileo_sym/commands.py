@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections import Counter
 from contextlib import nullcontext, redirect_stdout
 from io import StringIO
 
+from galileo_sym.names import UnknownEntry
 from galileo_sym.progress import progress_bar
+from galileo_sym.rows import as_row, holds, listing
 
 PROCESSES = min(2, os.cpu_count() or 1)
 
@@ -19,73 +20,63 @@ class UsageError(Exception):
 
 
 def derive(options) -> int:
-    """Rerun derivations and print a row for each, or tell them."""
-    from galileo_sym.ledger import Ledger, UnknownEntry, tell, tell_chain
+    """Say of each entry whether it is proved: in rows, at length, in tables, in a drawing."""
+    from galileo_sym.kept import known_rows
+    from galileo_sym.store import Store
 
-    ledger = Ledger.load()
+    if options.coverage and options.names:
+        raise UsageError("--coverage counts the whole of both papers: name no entries with it")
+    store = Store()
     try:
-        entries = ledger.select(options.names)
+        rows = None if options.fresh or options.show else known_rows(options.names, store)
+        told = None
+        if rows is None:
+            rows, told = _derived(options, store)
     except UnknownEntry as problem:
         raise UsageError(problem) from None
-    with _bar(options, "derive") as progress:
-        ledger.judge(entries, PROCESSES, progress)
     if options.json:
-        print(json.dumps([_as_row(e) | (_steps(e) if options.show else {}) for e in entries], indent=2))
-    elif options.show:
-        print("\n".join(tell(e) + tell_chain(e, ledger) for e in entries))
+        print(json.dumps(told or rows, indent=2))
     else:
-        _print_table(entries)
-    return 0 if all(_holds(e) for e in entries) else 1
+        print("\n".join(told) if told else _tables(rows) if options.coverage else listing(rows))
+    if options.graph:
+        print(*_drawn(rows, options.output), sep="\n", file=sys.stderr)
+    return 0 if all(map(holds, rows)) else 1
 
 
-def _bar(options, title):
-    return nullcontext() if options.json else progress_bar(title)
+def _derived(options, store):
+    """Rows, and what --show tells; None without it."""
+    from galileo_sym.findings import judged
+    from galileo_sym.ledger import tell, tell_chain
 
-
-def _holds(entry):
-    """The verdict is sound, and what the erratum says to be false in print is refuted."""
-    printed = entry.erratum_verdict
-    return entry.verdict.holds and (printed is None or printed.kind.value == "refuted")
-
-
-def _as_row(entry):
-    verdict, printed = entry.verdict, entry.erratum_verdict
-    row = {
-        "id": entry.id,
-        "paper": entry.paper,
-        "kind": entry.kind,
-        "label": entry.label,
-        "verdict": verdict.kind.value,
-        "method": verdict.method,
-        "premises": list(entry.premises),
-        "seconds": round(verdict.seconds, 3),
-        "counterexample": verdict.counterexample and dict(verdict.counterexample),
-    }
-    if entry.erratum:
-        row["erratum"] = {
-            "ids": list(entry.erratum.ids),
-            "text": entry.erratum.text,
-            "printed": printed and printed.kind.value,
-        }
-    return row
+    with _bar(options, "derive") as progress:
+        ledger, entries = judged(options.names, store, fresh=options.fresh, progress=progress)
+    rows = [as_row(e) for e in entries]
+    if not options.show:
+        return rows, None
+    if options.json:
+        return rows, [row | _steps(entry) for row, entry in zip(rows, entries, strict=True)]
+    return rows, [tell(e) + tell_chain(e, ledger) for e in entries]
 
 
 def _steps(entry):
     return {"steps": [{"text": step.text, "statement": str(step.statement)} for step in entry.steps]}
 
 
-def _print_table(entries):
-    width = max((len(e.id) for e in entries), default=0)
-    for entry in entries:
-        verdict = entry.verdict
-        note = f"  erratum {', '.join(entry.erratum.ids)}" if entry.erratum else ""
-        print(f"{entry.id:{width}s}  {verdict.kind.value:10s}  {verdict.seconds:6.2f} s  {verdict.method}{note}")
-        if verdict.counterexample:
-            print(" " * width + f"  at {', '.join(f'{k} = {v}' for k, v in verdict.counterexample.items())}")
-        if entry.erratum_verdict and entry.erratum_verdict.kind.value != "refuted":
-            print(" " * width + f"  the printed form is not refuted: {entry.erratum_verdict}")
-    counts = Counter(e.verdict.kind.value for e in entries)
-    print(f"{len(entries)} entries: " + ", ".join(f"{n} {kind}" for kind, n in counts.most_common()))
+def _tables(rows):
+    from galileo_sym import coverage
+    from galileo_sym.ledger.inventory import inventory
+
+    return coverage.tables(rows, inventory())
+
+
+def _drawn(rows, folder):
+    from galileo_sym import graph
+
+    return graph.write(rows, folder or ".")
+
+
+def _bar(options, title):
+    return nullcontext() if options.json else progress_bar(title)
 
 
 def emit(options) -> int:
@@ -127,6 +118,8 @@ def verify(options) -> int:
 DEFAULTS = {
     "names": [],
     "show": False,
+    "coverage": False,
+    "graph": False,
     "check": False,
     "output": None,
     "points": None,

@@ -2,29 +2,19 @@
 
 from __future__ import annotations
 
-import difflib
 import importlib
 import pkgutil
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from graphlib import CycleError, TopologicalSorter
+
+from galileo_sym.names import UnknownEntry, choose
 
 from .check import environment, judge, refutation, run
 from .compare import compare
 from .parallel import verdicts_of
 from .statement import Chapter, Declaration
 from .verdict import Kind, Verdict
-
-
-class UnknownEntry(KeyError):
-    """There is no entry or chapter of that name; the message gives the nearest ones."""
-
-    def __init__(self, name, known):
-        near = difflib.get_close_matches(name, known, n=4, cutoff=0.4)
-        hint = f"; nearest: {', '.join(near)}" if near else ""
-        super().__init__(f"no entry or chapter {name!r}{hint}")
-
-    def __str__(self):
-        return self.args[0]
 
 
 class Entry:
@@ -118,6 +108,10 @@ class Entry:
         """The verdict of the statement as printed: refuted. None where nothing printed is false."""
         return self.erratum and refutation(self.erratum, self.declaration, self._environment)
 
+    def recall(self, own: Verdict, printed: Verdict | None) -> None:
+        """Take over what was found elsewhere: the verdict on the entry, and that on the printed slip."""
+        vars(self).update(own_verdict=own, erratum_verdict=printed)
+
     def compare(self, statement) -> Verdict:
         """Hold another statement against the derived one, as equivalence under the assumptions.
 
@@ -154,6 +148,10 @@ class Ledger(Mapping):
             missing = [p for p in entry.premises if p not in self._entries]
             if missing:
                 raise ValueError(f"{entry.id} builds on {', '.join(missing)}, which no chapter declares")
+        try:
+            self._order = tuple(TopologicalSorter({i: e.premises for i, e in self._entries.items()}).static_order())
+        except CycleError as problem:
+            raise ValueError(f"derived from itself: {' <- '.join(problem.args[1])}") from None
 
     @classmethod
     def load(cls, package: str = "galileo_sym.derivations") -> Ledger:
@@ -176,12 +174,7 @@ class Ledger(Mapping):
 
     def select(self, names: list[str]) -> list[Entry]:
         """Entries by id or by chapter (``chord.galileo``, or ``chord`` for all of that paper's); all for no names."""
-        if not names:
-            return list(self._entries.values())
-        chosen: dict[str, Entry] = {}
-        for name in names:
-            chosen |= {e.id: e for e in self._named(name)}
-        return list(chosen.values())
+        return [self._entries[i] for i in choose(names, {i: e.chapter.name for i, e in self._entries.items()})]
 
     def judge(self, entries: list[Entry], processes: int = 1, progress=None) -> None:
         """Bring about the verdicts of some entries, and of all they are derived from.
@@ -194,10 +187,14 @@ class Ledger(Mapping):
             Called with (done, total, id) as verdicts come in.
         """
         todo = [e for e in self.with_premises(entries) if "own_verdict" not in vars(e)]
-        for done, (identifier, verdict) in enumerate(verdicts_of([e.id for e in todo], processes, self), 1):
-            vars(self[identifier])["own_verdict"] = verdict
+        for done, (identifier, *verdicts) in enumerate(verdicts_of([e.id for e in todo], processes, self), 1):
+            self[identifier].recall(*verdicts)
             if progress:
                 progress(done, len(todo), identifier)
+
+    def in_order(self) -> list[Entry]:
+        """All entries, each after its premises."""
+        return [self._entries[i] for i in self._order]
 
     def with_premises(self, entries: list[Entry]) -> list[Entry]:
         """Some entries, and all that they stand on."""
@@ -210,14 +207,6 @@ class Ledger(Mapping):
                 waiting += [self[i] for i in entry.premises]
         return [e for e in self._entries.values() if e.id in found]
 
-    def _named(self, name):
-        if name in self._entries:
-            return [self._entries[name]]
-        inside = [e for e in self._entries.values() if f"{e.chapter.name}.".startswith(f"{name}.")]
-        if not inside:
-            raise UnknownEntry(name, [*self._entries, *self.chapters])
-        return inside
-
 
 def _chapters(package):
     root = importlib.import_module(package)
@@ -225,5 +214,6 @@ def _chapters(package):
     for module in pkgutil.walk_packages(root.__path__, package + "."):
         chapter = getattr(importlib.import_module(module.name), "chapter", None)
         if isinstance(chapter, Chapter):
+            chapter.module = module.name
             found.append(chapter)
     return found

@@ -61,6 +61,8 @@ class Declaration:
 class Chapter:
     """A section of a paper: its entries in order."""
 
+    module: str | None = None  # the name of the module it was loaded from
+
     def __init__(self, name: str, notation: Notation, title: str):
         self.name = name
         self.notation = notation

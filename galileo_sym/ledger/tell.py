@@ -38,27 +38,13 @@ def tell(entry) -> str:
 
 def tell_chain(entry, ledger) -> str:
     """What an entry stands on, laws and definitions first: a line for each statement, as derived."""
-    below = [e for e in ledger.with_premises([entry]) if e is not entry]
+    wanted = {e.id for e in ledger.with_premises([entry])} - {entry.id}
+    below = [e for e in ledger.in_order() if e.id in wanted]
     if not below:
         return ""
     width = max(len(e.id) for e in below)
-    lines = [f"    {e.id:{width}s}  {_cut(_flat(e.result), WIDTH - width)}" for e in _in_order(below, ledger)]
+    lines = [f"    {e.id:{width}s}  {_cut(_flat(e.result), WIDTH - width)}" for e in below]
     return "\n".join(["  stands on, in the order of derivation (tell each with its own id)", *lines]) + "\n"
-
-
-def _in_order(entries, ledger):
-    """Premises before what is derived from them."""
-    wanted, done = {e.id for e in entries}, {}
-
-    def visit(entry):
-        if entry.id not in done:
-            for premise in entry.premises:
-                visit(ledger[premise])
-            done[entry.id] = entry
-
-    for entry in entries:
-        visit(entry)
-    return [e for i, e in done.items() if i in wanted]
 
 
 def _cut(text, width):

@@ -2,9 +2,9 @@
 
 import json
 import math
-import os
-import tempfile
 from pathlib import Path
+
+from galileo_sym.files import write_whole
 
 from .functions import FUNCTIONS
 from .measure import as_hex, from_hex
@@ -163,14 +163,5 @@ def write(folder, certificates):
     """
     folder = Path(folder)
     for content in certificates:
-        folder.mkdir(parents=True, exist_ok=True)
-        target = path_of(folder, content["function"])
-        handle, temporary = tempfile.mkstemp(dir=folder, prefix=f".{target.name}.", suffix=".part")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(json.dumps(content, indent=2) + "\n")
-            Path(temporary).chmod(0o644)
-            os.replace(temporary, target)
-        except BaseException:
-            Path(temporary).unlink(missing_ok=True)
-            raise
+        text = json.dumps(content, indent=2) + "\n"
+        write_whole(path_of(folder, content["function"]), text.encode())
