@@ -32,7 +32,7 @@ from galileo_sym.ledger import (
     tell_chapter,
 )
 from galileo_sym.ledger.equivalence import equivalent, is_zero
-from galileo_sym.tactics import ladder
+from galileo_sym.tactics import ladder, read_circle
 
 chapter = Chapter(
     "chord.spindle_with_drag",
@@ -93,7 +93,8 @@ def another_moment(
             if is_zero(setup.of(coordinate).subs(s(t), along) - without_drag) is None:
                 raise DerivationError(f"the beads of side {side} are not at {point}")
         with_drag = eq44.subs(sigma, side).subs({X(t): eq46.rhs, R(t): eq47.rhs})
-        if equivalent(step("on this side", with_drag) if side > 0 else with_drag, curve) is None:
+        same = equivalent(step("on this side", with_drag) if side > 0 else with_drag, curve)
+        if same is None or is_zero(read_circle(curve, x, y).radius - eq47.rhs) is None:
             raise DerivationError(f"(44) is {with_drag}, not {curve}")
     return And(*arcs, *(part.xreplace(without) for part in claim__spindle.parts))
 
