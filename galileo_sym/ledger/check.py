@@ -84,8 +84,16 @@ def _judge(declaration, outcome, premises, domains):
         return Kind.ERROR, outcome.problem, None
     given = environment(declaration, outcome, premises)
     try:
-        for statement in (declaration.printed, outcome.result, *(s.statement for s in outcome.steps)):
+        supposed = declaration.domain.supposing
+        for statement in (declaration.printed, outcome.result, *supposed, *(s.statement for s in outcome.steps)):
             dimensions.check(statement, declaration.notation.dimensions)
+        told = {i: (premises[i], (domains or {}).get(i, Domain({}))) for i in declaration.premises}
+        for identifier, hypothesis in _unsupposed(declaration, outcome, told):
+            return Kind.ERROR, f"the premise {identifier} supposes more: {hypothesis}", None
+        for hypothesis in supposed:
+            failure = counterexample(hypothesis, declaration.domain, given, declaration.id)
+            if failure is not None:
+                return Kind.VACUOUS, f"what is supposed does not hold of what is put in: {hypothesis}", failure
         trials = [("printed", declaration.printed), ("result", outcome.result)]
         trials += [(f"step '{s.text}'", s.statement) for s in outcome.steps]
         if declaration.function is None:
@@ -94,7 +102,6 @@ def _judge(declaration, outcome, premises, domains):
             failure = counterexample(statement, declaration.domain, given, declaration.id)
             if failure is not None:
                 return Kind.REFUTED, f"{name} fails", failure
-        told = {i: (premises[i], (domains or {}).get(i, Domain({}))) for i in declaration.premises}
         for identifier, failure in _failing_premises(declaration, outcome, told, given):
             return Kind.REFUTED, f"the result does not agree with its premise {identifier}", failure
         how = equivalent(outcome.result, declaration.printed)
@@ -104,6 +111,17 @@ def _judge(declaration, outcome, premises, domains):
         return Kind.ERROR, f"{type(problem).__name__}: {problem}", None
     method = ", ".join((*outcome.tactics, f"as printed: {how}" if how else "equal in numbers only"))
     return (Kind.PROVED if how else Kind.CHECKED), method, None
+
+
+def _unsupposed(declaration, outcome, premises):
+    """Hypotheses of the premises that an entry neither supposes itself nor says to be the condition of its result."""
+    result = outcome.result
+    conditions = result.args[0] if isinstance(result, sp.Implies) else sp.true
+    said = {conditions, *(conditions.args if isinstance(conditions, sp.And) else ())}
+    for identifier, (_, domain) in premises.items():
+        for hypothesis in domain.supposing:
+            if hypothesis not in said | set(declaration.domain.supposing):
+                yield identifier, hypothesis
 
 
 def _failing_premises(declaration, outcome, premises, given):
@@ -132,7 +150,7 @@ def _failing_premises(declaration, outcome, premises, given):
 def _outside(declaration, domain):
     """A point of the entry's assumptions where a premise's do not hold."""
     for point in declaration.domain.points(POINTS, declaration.id):
-        if not _inside(domain.condition, point):
+        if not _inside(domain.inside, point):
             return _show(sp.true, point, {})
     return None
 
@@ -146,7 +164,7 @@ def _counterexample_inside(statement, declaration, domain, given):
     """A point of both the entry's and the premise's assumptions where the premise fails; None if it has no value."""
     try:
         ready, ranges = ready_to_try(statement, declaration.domain, given)
-        condition = resolve(domain.condition, given, frozenset(ranges))
+        condition = resolve(domain.inside, given, frozenset(ranges))
         for point in Domain(ranges).points(POINTS, declaration.id):
             if _inside(condition, point) and not numeric.holds(ready, point):
                 return _show(statement, point, given)

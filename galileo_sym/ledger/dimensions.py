@@ -31,6 +31,9 @@ def check(statement, table) -> None:
         return
     if isinstance(statement, Claim):
         statement.check_dimensions(lambda *e: _agree([dimension(x, table) for x in e], statement))
+        for part in statement.args:
+            if isinstance(part, Boolean):
+                check(part, table)
     elif isinstance(statement, Relational):
         _relation(statement, table)
     elif isinstance(statement, Boolean):
@@ -126,6 +129,7 @@ _RULES = (
     (sp.Derivative, _derivative),
     (sp.Subs, lambda e, table: dimension(e.expr, table)),
     (sp.Limit, _limit),
+    (sp.Sum, lambda e, table: dimension(e.args[0], table)),
     (sp.Piecewise, _piecewise),
     (sp.Order, _order),
     (_SAME_AS_ARGUMENT, lambda e, table: _agree([dimension(a, table) for a in e.args], e)),

@@ -33,10 +33,14 @@ class Domain:
         (``Union(..., evaluate=False)``): points are tried in, and at the edges of, every piece.
     where : mapping of Symbol or undefined function to expression
         What dependent variables stand for.
+    supposing : tuple of statements
+        Hypotheses beside the ranges, such as Galileo's paradox. They must hold of what `where` puts in. What is
+        derived from a statement supposes the same, or says so: Implies(hypotheses, conclusion).
     """
 
     ranges: Mapping[sp.Symbol, sp.Set]
     where: Mapping[object, sp.Expr] = field(default_factory=dict)
+    supposing: tuple[sp.Basic, ...] = ()
 
     def __post_init__(self):
         object.__setattr__(self, "ranges", MappingProxyType(dict(self.ranges)))
@@ -45,6 +49,11 @@ class Domain:
     @property
     def condition(self) -> sp.Basic:
         """The assumptions as one Boolean."""
+        return sp.And(self.inside, *self.supposing)
+
+    @property
+    def inside(self) -> sp.Basic:
+        """The ranges as one Boolean."""
         return sp.And(*(_as_condition(s, r) for s, r in self.ranges.items()))
 
     def points(self, count: int, seed: str) -> list[dict[sp.Symbol, sp.Expr]]:
