@@ -1,9 +1,9 @@
 """Section 4, second half: the descent time by Lambert W, equations (33) to (36), with the branch for every drag."""
 
 import sympy as sp
-from sympy import And, Eq, Ge, Gt, Interval, LambertW, Le, Lt, Or, exp, oo
+from sympy import And, Eq, Ge, Gt, Interval, LambertW, Le, Limit, Lt, Or, exp, oo
 
-from galileo_sym.derivations.chord.notation import W_0, W_1, D, F, c, g, gamma, notation, q, t_AB, w
+from galileo_sym.derivations.chord.notation import W_0, W_1, D, F, c, g, gamma, notation, q, t_AB, w, zeta
 from galileo_sym.ledger import (
     POSITIVE,
     REAL,
@@ -11,12 +11,25 @@ from galileo_sym.ledger import (
     DerivationError,
     Domain,
     Erratum,
+    ExactlyOneRoot,
     StrictlyDecreasing,
     StrictlyIncreasing,
     step,
     tell_chapter,
 )
-from galileo_sym.tactics import arguments_reversed, isolate, least_value, monotone, sign_by_factors
+from galileo_sym.ledger.equivalence import is_zero
+from galileo_sym.tactics import (
+    arguments_reversed,
+    check_root,
+    elementary_limit,
+    isolate,
+    least_value,
+    monotone,
+    monotone_on_half_line,
+    one_root,
+    other_branch,
+    sign_by_factors,
+)
 
 chapter = Chapter("chord.descent_by_lambert_w", notation, "4. Motion under a resistive force proportional to velocity")
 
@@ -147,6 +160,47 @@ def descent_time(eq33, eq34, claim__W_branches, claim__principal_branch):
         if sp.simplify(sp.expand(gamma * found.rhs - positive)) == 0:
             return step("back from w to the time", Eq(t_AB, sp.expand(found.rhs)))
     raise DerivationError("neither branch gives the positive time")
+
+
+HEIGHT = zeta - 1 + exp(-zeta)
+BY_W = 1 + c + LambertW(-exp(-1 - c))
+
+
+@chapter.derive(
+    "chord.support.root-unique",
+    And(
+        ExactlyOneRoot(HEIGHT - c, zeta, POSITIVE),
+        ExactlyOneRoot(HEIGHT - c, zeta, Interval.open(-oo, 0)),
+        Eq(HEIGHT.subs(zeta, BY_W), c, evaluate=False),
+        Eq(HEIGHT.subs(zeta, other_branch(BY_W)), c, evaluate=False),
+        Gt(BY_W, 0, evaluate=False),
+        Lt(other_branch(BY_W), 0, evaluate=False),
+    ),
+    Domain({c: POSITIVE, g: POSITIVE, gamma: POSITIVE}, where={D: c * g / gamma**2}),
+)
+def one_root_each(eq30, eq36, claim__principal_branch):
+    """h = zeta - 1 + e^(-zeta), zeta = gamma t, rises from 0 to oo after 0, and falls from oo to 0 before it."""
+    in_zeta = {t_AB: zeta / gamma}
+    height = sp.expand(eq30.rhs.subs(in_zeta) * gamma**2 / g)
+    drop = {D: c * g / gamma**2}
+    level = sp.expand(eq30.lhs.subs(drop) * gamma**2 / g)
+    facts = []
+    for side in (POSITIVE, Interval.open(-oo, 0)):
+        claim = monotone_on_half_line(height, zeta, side)
+        places = ((side.start, "+"), (side.end, "-"))
+        ends = [
+            Eq(Limit(height, zeta, end, way), elementary_limit(height, zeta, end, way), evaluate=False)
+            for end, way in places
+        ]
+        facts.append(one_root(claim, level, ends=ends))
+    root = sp.expand(gamma * eq36.rhs.subs(drop))
+    for found, sign in ((root, Gt), (other_branch(root), Lt)):
+        facts.append(check_root(Eq(height, level, evaluate=False), zeta, found))
+        told = part_of(claim__principal_branch, sign)
+        if is_zero(told.lhs - found) is None:
+            raise DerivationError(f"{told} is not about {found}")
+        facts.append(sign(found, told.rhs, evaluate=False))
+    return And(*facts)
 
 
 if __name__ == "__main__":
