@@ -57,12 +57,12 @@ class Domain:
         return sp.And(*(_as_condition(s, r) for s, r in self.ranges.items()))
 
     def points(self, count: int, seed: str) -> list[dict[sp.Symbol, sp.Expr]]:
-        """`count` or more exact points, edge cases of every range among them.
+        """`count` or more exact points, edge cases of every range among them; the one there is without variables.
 
         Raises `EmptyDomain` when a range has no point.
         """
         rng = random.Random(seed)
-        plans = [dict.fromkeys(self.ranges, None) for _ in range(count)]
+        plans = [dict.fromkeys(self.ranges, None) for _ in range(count if self.ranges else 1)]
         for symbol, values in self.ranges.items():
             for piece in _pieces(values):
                 _require_points(symbol, piece, values)
