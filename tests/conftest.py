@@ -3,6 +3,15 @@
 import pytest
 
 from galileo_sym.ledger import Ledger
+from galileo_sym.store import FOLDER
+
+
+@pytest.fixture(scope="session", autouse=True)
+def no_verdicts_of_earlier_runs(tmp_path_factory):
+    """Commands run by the tests keep their verdicts in a folder of the session's own."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(FOLDER, str(tmp_path_factory.mktemp("kept")))
+        yield
 
 
 @pytest.fixture(scope="session")

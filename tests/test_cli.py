@@ -13,6 +13,7 @@ from sympy import Eq
 from galileo_sym import __version__
 from galileo_sym.cli import main
 from galileo_sym.ledger import ONE, POSITIVE, Chapter, Domain, Erratum, Ledger, Notation
+from galileo_sym.store import FOLDER
 
 ROOT = Path(__file__).resolve().parent.parent
 KEYS = {"id", "paper", "kind", "verdict", "method", "premises", "seconds"}
@@ -49,8 +50,9 @@ FAILURES = {
 
 
 @pytest.fixture
-def other_ledger(monkeypatch):
-    """Put a ledger of one entry in the place of the papers'."""
+def other_ledger(monkeypatch, tmp_path):
+    """Put a ledger of one entry in the place of the papers', and no verdicts of theirs."""
+    monkeypatch.setenv(FOLDER, str(tmp_path))
 
     def put(printed, result, domain, erratum):
         made = Chapter("stable.small", notation, "a chapter of the tests")

@@ -4,8 +4,9 @@ With s = gamma t (or k t) at the arrival: p^2/2 = s - 1 + e^(-s); 1 + b = s/(1 -
 """
 
 import sympy as sp
-from sympy import Ge, LambertW, Rational, asin, exp, pi, sqrt
+from sympy import Ge, LambertW, Rational, exp, pi, sin, sqrt
 
+from galileo_sym.derivations.projectile.notation import alpha, theta_max
 from galileo_sym.derivations.stable.notation import a, b, notation, p, s, z
 from galileo_sym.ledger import POSITIVE, Chapter, DerivationError, Domain, step, tell_chapter
 from galileo_sym.ledger.equivalence import is_zero
@@ -24,7 +25,6 @@ chapter = Chapter("stable.singularities", notation, "stable forms (not printed)"
 
 P_OF_S = sqrt(2 * (s - 1 + exp(-s)))
 B_OF_S = s / (1 - exp(-s)) - 1
-A_OF_S = sqrt(1 + (s - 1) * exp(s))
 
 
 def by_parameter(form, x, path, w_in_s, in_s):
@@ -95,15 +95,30 @@ def range_at_zero():
 @chapter.derive(
     "stable.at-zero.best_sine", limits_at_zero(SINE, a, 1 / sqrt(2), -Rational(1, 6)), Domain({s: POSITIVE})
 )
-def best_sine_at_zero():
-    """W = s - 1, and the sine is a/(e^s - 1)."""
-    return by_parameter(SINE, a, A_OF_S, s - 1, A_OF_S / (exp(s) - 1))
+def best_sine_at_zero(projectile__support__kT_at_max):
+    """W, alpha and the sine at the best angle are known along s, the impact time times k."""
+    told = projectile__support__kT_at_max
+    path, one_more = sqrt(told.of(alpha**2)), told.of(s)
+    w_in_s = s - one_more.xreplace(dict.fromkeys(one_more.atoms(LambertW), sp.S.Zero))
+    return by_parameter(SINE, a, path, w_in_s, told.of(sin(theta_max)).subs(alpha, path))
 
 
-@chapter.derive("stable.at-zero.best_angle", limits_at_zero(ANGLE, a, pi / 4, -sqrt(2) / 6), Domain({s: POSITIVE}))
-def best_angle_at_zero():
-    """The arcsine of the sine."""
-    return by_parameter(ANGLE, a, A_OF_S, s - 1, asin(A_OF_S / (exp(s) - 1)))
+@chapter.derive(
+    "stable.at-zero.best_angle",
+    limits_at_zero(ANGLE, a, pi / 4, -sqrt(2) / 6),
+    Domain({s: POSITIVE}),
+    premises=("stable.at-zero.best_sine",),
+)
+def best_angle_at_zero(sine_at_zero):
+    """The arcsine is smooth at the limit of the sine: the chain rule."""
+    at_zero = {e.lhs.args[0]: e.rhs for e in sine_at_zero.parts}
+    sine = sp.Function("sine", real=True)(a)
+    angle = ANGLE.xreplace({SINE: sine})
+    if angle.has(LambertW):
+        raise DerivationError(f"{ANGLE} is no function of {SINE}")
+    value, slope = at_zero[SINE], at_zero[sp.Derivative(SINE, a)]
+    put = (sp.Derivative(sine, a), slope), (sine, value)
+    return limits_at_zero(ANGLE, a, angle.subs(sine, value), sp.simplify(sp.diff(angle, a).subs(put)))
 
 
 if __name__ == "__main__":
