@@ -1,6 +1,14 @@
 """The symbolic moves that derivations are made of, one small module each."""
 
 from .angles import Wave, as_wave, undo_arctangent
+from .beside import (
+    even_at_extremum,
+    extremum_between,
+    inverse_tends,
+    monotone_beside,
+    negative_root,
+    value_near,
+)
 from .boxes import box_of, compare_on, sign_by_ladder, sign_on, trig_box
 from .branches import all_preimages
 from .circles import Circle, read_circle, sine_maximum, trace_circle
@@ -10,6 +18,7 @@ from .factors import first_order, introduce, limits_at_zero, twin_at_zero
 from .implicit import implicit_derivative
 from .inverse import inverse_between, undo
 from .known_limits import limit_of_inverse, limit_with_part
+from .leading_terms import split_series, take_out, taylor_coefficient, value_at_centre
 from .limits import elementary_limit, limit_along, limit_by_parameter
 from .linear_exponential import (
     check_root,
@@ -44,6 +53,7 @@ from .signs import (
     values_ordered,
 )
 from .solve import isolate, substitute, unhide
+from .theorems import said_of
 
 __all__ = [
     "Circle",
@@ -61,11 +71,14 @@ __all__ = [
     "elementary_limit",
     "eliminate",
     "eliminate_angle",
+    "even_at_extremum",
+    "extremum_between",
     "first_order",
     "implicit_derivative",
     "integrate_from_zero",
     "introduce",
     "inverse_between",
+    "inverse_tends",
     "isolate",
     "ladder",
     "least_value",
@@ -75,8 +88,10 @@ __all__ = [
     "limit_with_part",
     "limits_at_zero",
     "monotone",
+    "monotone_beside",
     "monotone_on_half_line",
     "monotone_through",
+    "negative_root",
     "not_negative",
     "one_root",
     "other_branch",
@@ -87,6 +102,7 @@ __all__ = [
     "rescale",
     "revert_minimum",
     "root_of_product",
+    "said_of",
     "same_order",
     "sides_of_root",
     "sign_by_factors",
@@ -96,9 +112,12 @@ __all__ = [
     "sine_maximum",
     "solve_linear_exponential",
     "solve_motion",
+    "split_series",
     "start_of",
     "substitute",
+    "take_out",
     "taylor",
+    "taylor_coefficient",
     "trace_circle",
     "trig_box",
     "twin_at_zero",
@@ -106,5 +125,7 @@ __all__ = [
     "undo_arctangent",
     "unhide",
     "unique_maximum",
+    "value_at_centre",
+    "value_near",
     "values_ordered",
 ]

@@ -1,0 +1,176 @@
+"""A function near a point where its value is known and not 0: signs on both sides, with unknown functions and order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from galileo_sym.ledger import DerivationError, tactic
+from galileo_sym.ledger.local import LocalExtremum, MonotoneBeside
+
+from .leading_terms import value_at_centre
+
+AWAY = sp.Dummy("away", positive=True)
+
+
+@dataclass(frozen=True)
+class NearValue:
+    """F(x) for x near `place`: a positive multiple of `value`, which is not 0."""
+
+    function: type
+    place: sp.Expr
+    value: sp.Expr
+    name: sp.Dummy  # stands for `value`
+
+    def put(self, expr):
+        """The expression with each F(...) as a positive multiple of the value, and the value by name."""
+        positive = {f: self.name * sp.Dummy("share", positive=True) for f in expr.atoms(self.function)}
+        return expr.xreplace(positive).xreplace({self.value: self.name})
+
+
+@tactic
+def value_near(series: sp.Eq, at_place: sp.Eq, nonzero: sp.Ne) -> NearValue:
+    """A power series is continuous: near its centre it has the sign of its value there.
+
+    Parameters
+    ----------
+    series : Eq
+        Eq(F(x), Sum(...)), a power series about a place.
+    at_place : Eq
+        Eq(Subs(F(x), x, place), value).
+    nonzero : Ne
+        Ne(value, 0).
+
+    Raises
+    ------
+    DerivationError
+        The three do not fit: the series has another value at the place, or the value may be 0.
+    """
+    (x,), (place,) = at_place.lhs.variables, at_place.lhs.point
+    value = value_at_centre(series.rhs, x, place)
+    if at_place.lhs.expr != series.lhs or at_place.rhs != value or nonzero != sp.Ne(value, 0):
+        raise DerivationError(f"{at_place} and {nonzero} do not say that {series} is not 0 at {place}")
+    return NearValue(series.lhs.func, place, value, sp.Dummy("value", real=True, nonzero=True))
+
+
+@tactic
+def even_at_extremum(deviation, x, order, near: NearValue, away) -> sp.Implies:
+    """The order of a zero is even where f has an extremum: if it were odd, f - f(place) would change sign there.
+
+    Parameters
+    ----------
+    deviation : expression in x
+        f(x) - f(place), with symbolic order and the unknown function F of `near`.
+    order : Symbol
+        A positive whole number.
+    away : Symbol
+        Names a small positive distance.
+
+    Returns
+    -------
+    Implies
+        Implies(order odd, f - f(place) has values of both signs: their product, at equal distances, is negative).
+    """
+    half = sp.Dummy("half", integer=True, nonnegative=True)
+    sides = [deviation.subs(x, near.place + side * away) for side in (1, -1)]
+    product = sp.Mul(*(near.put(side).subs(order, 2 * half + 1) for side in sides))
+    if not sp.powsimp(product).is_negative:
+        raise DerivationError(f"{deviation} does not change sign at {near.place} for odd {order}")
+    return sp.Implies(sp.Eq(sp.Mod(order, 2), 1), sp.Lt(sp.Mul(*sides), 0))
+
+
+@tactic
+def monotone_beside(f, x, slope, order, near: NearValue):
+    """Strict monotony of f on both sides of a place from its slope (x - place)^(order - 1) G(x), G(place) not 0.
+
+    By the mean value theorem: the slope has one sign on each side.
+
+    Returns
+    -------
+    pair of MonotoneBeside
+        To the right, in the direction of the value of F, and to the left.
+    """
+    power = (x - near.place) ** (order - 1)
+    growth = sp.expand(sp.powsimp(sp.expand(slope / power)))
+    held = sp.expand(growth.subs(near.function(x), near.value)).subs(x - near.place, 0)
+    at_place = sp.simplify(_at(held, x, near.place))
+    if not at_place.xreplace({near.value: near.name}).is_nonzero:
+        raise DerivationError(f"{growth} may vanish at {near.place}")
+    claims = []
+    for side in (1, -1):
+        beside = sp.expand_power_base((side * AWAY) ** (order - 1))
+        direction = sp.expand_power_base(sp.Integer(side) ** (order - 1)) * near.value
+        steep = sp.powsimp((beside * at_place / direction).xreplace({near.value: near.name}))
+        if not sp.simplify(steep).is_positive:
+            raise DerivationError(f"the slope of {f} has not the sign of {direction} on the side {side}")
+        claims.append(MonotoneBeside(f, x, near.place, side, direction))
+    return tuple(claims)
+
+
+def _at(expr, x, place):
+    """The value at a place, derivatives of unknown functions being finite there."""
+    finite = {d: sp.Dummy("finite", real=True) for d in expr.atoms(sp.Derivative)}
+    return expr.xreplace(finite).subs(x, place)
+
+
+@tactic
+def negative_root(equation: sp.Eq, base, order, even: sp.Eq) -> sp.Eq:
+    """From base^order = Q with an even order and base <= 0: base = -Q^(1/order).
+
+    Parameters
+    ----------
+    equation : Eq
+        Its left side is base^order, with `base` a quotient or not.
+    even : Eq
+        Eq(Mod(order, 2), 0), proved.
+    """
+    size, half = sp.Dummy("size", nonnegative=True), sp.Dummy("half", integer=True, positive=True)
+    if even != sp.Eq(sp.Mod(order, 2), 0):
+        raise DerivationError(f"{even} does not say that {order} is even")
+    if sp.powsimp(sp.expand_power_base(base**order) / equation.lhs) != 1:
+        raise DerivationError(f"the left side of {equation} is not {base} to the power {order}")
+    if ((-size) ** (2 * half)) ** (1 / (2 * half)) != size:
+        raise DerivationError(f"the root of {equation} is not the size of {base}")
+    return sp.Eq(base, -(equation.rhs ** (1 / order)), evaluate=False)
+
+
+@tactic
+def inverse_tends(rising: MonotoneBeside, round_trip: sp.Eq, values: sp.Ge, named: sp.Eq) -> sp.Eq:
+    """The inverse of f to the right of a place tends to the place as its argument f(x) tends to f(place).
+
+    f is strictly monotone and continuous there, so its inverse is continuous, and gives the place back at f(place).
+
+    Parameters
+    ----------
+    rising : MonotoneBeside
+        Of f, to the right of the place.
+    round_trip : Eq
+        Eq(f(g(q)), q).
+    values : Ge
+        Ge(g(q), place).
+    named : Eq
+        Eq(y(x), g(f(x))).
+
+    Returns
+    -------
+    Eq
+        Eq(Limit(y(x), x, place, "-"), place).
+    """
+    f, x, place, side, _ = rising.args
+    inverse, q = values.lhs, round_trip.rhs
+    fits = isinstance(rising, MonotoneBeside) and side == 1 and values.rhs == place
+    if not fits or round_trip.lhs != f.subs(x, inverse) or named.rhs != inverse.subs(q, f):
+        raise DerivationError(f"{round_trip}, {values} and {named} do not make an inverse of {rising}")
+    return sp.Eq(sp.Limit(named.lhs, x, place, "-"), place, evaluate=False)
+
+
+@tactic
+def extremum_between(falling, rising) -> LocalExtremum:
+    """A function that is strictly monotone, in opposite ways, up to a place and from there on has an extremum there."""
+    f, x, before = falling.args
+    g, z, after = rising.args
+    meet = before.end == after.start and before.end in before and after.start in after
+    if (f, x) != (g, z) or type(falling) is type(rising) or not meet:
+        raise DerivationError(f"{falling} and {rising} do not meet in an extremum")
+    return LocalExtremum(f, x, before.end)
