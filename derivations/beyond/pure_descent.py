@@ -27,6 +27,7 @@ NUMBERS = {p: POSITIVE, mu: POSITIVE}
 FALLEN = 2 * (p * z - 1 + exp(-p * z)) / p**2
 SLIDES = {z: NONNEGATIVE, theta: Interval(0, LAST)}
 DRAG = {gamma: p / UNIT}
+PRINTED = LambertW(-exp(-1 - D * gamma**2 / (g * n))) / gamma + 1 / gamma + D * gamma / (g * n)  # (43)
 TIME = (1 + p**2 / (2 * n) + LambertW(-exp(-1 - p**2 / (2 * n)))) / p
 
 
@@ -81,29 +82,18 @@ def arrival(beyond__pure_descent__distance, eq3):
 
 @chapter.derive(
     "beyond.pure-descent.time",
-    And(Eq(tau_AB, TIME), Eq(t_AB, UNIT * tau_AB)),
-    Domain({**SIZES, **NUMBERS, theta: Interval.open(-LAST, LAST)}, where={**DRAG, n: 1 - mu * tan(Abs(theta))}),
+    And(Eq(tau_AB, TIME), Eq(t_AB, UNIT * tau_AB), Independent(t_AB / UNIT, D), Independent(t_AB / UNIT, g)),
+    Domain(
+        {**SIZES, **NUMBERS, theta: Interval.open(-LAST, LAST)},
+        where={**DRAG, n: 1 - mu * tan(Abs(theta)), t_AB: PRINTED},
+    ),
 )
 def time(eq43):
-    """(43) over the unit of time, with n for 1 - mu tan|theta|."""
-    named = eq43.rhs.subs(tan(Abs(theta)), (1 - n) / mu)
-    return And(Eq(tau_AB, in_units(named / UNIT)), Eq(t_AB, UNIT * tau_AB, evaluate=False))
-
-
-IN_UNITS = (LambertW(-exp(-1 - D * gamma**2 / (g * n))) / gamma + 1 / gamma + D * gamma / (g * n)).subs(gamma, p / UNIT)
-
-
-@chapter.derive(
-    "beyond.pure-descent.independent",
-    And(Independent(IN_UNITS / UNIT, D), Independent(IN_UNITS / UNIT, g)),
-    Domain({**SIZES, p: POSITIVE, n: Interval.Lopen(0, 1)}),
-)
-def independent(eq43):
-    """For a given p = gamma sqrt(2 D/g) and n the descent time over sqrt(2 D/g) depends on neither D nor g."""
-    named = eq43.rhs.subs(tan(Abs(theta)), (1 - n) / mu)
-    in_units(named / UNIT)
-    ratio = named.subs(gamma, p / UNIT) / UNIT
-    return And(Independent(ratio, D), Independent(ratio, g))
+    """(43) over the unit of time, with n for 1 - mu tan|theta|: for given p and n neither D nor g is left."""
+    ratio = eq43.rhs.subs(tan(Abs(theta)), (1 - n) / mu) / UNIT
+    found = Eq(tau_AB, in_units(ratio))
+    free = [Independent(t_AB / UNIT, q) for q in (D, g) if not found.has(q)]
+    return And(found, Eq(t_AB, UNIT * tau_AB, evaluate=False), *free)
 
 
 ONE_NUMBER = (1 + p_n**2 / 2 + LambertW(-exp(-1 - p_n**2 / 2))) / p_n
