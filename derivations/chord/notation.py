@@ -48,7 +48,7 @@ xt_l, yt_l = (symbol(f"{c}_l", ONE, f"{c} of the centre of the left circle", rea
 rho_r, rho_l = (symbol(f"rho_{c}", ONE, "radius of a rescaled circle", positive=True) for c in ("r", "l"))
 apart = symbol("apart", ONE, "distance of two rescaled centres", nonnegative=True)
 sigma = symbol("sigma", ONE, "sign of theta", real=True)
-v = symbol("v", LENGTH / TIME, "speed along a chord", nonnegative=True)
+v = symbol("v", LENGTH / TIME, "speed along a chord", positive=True)
 v_1 = symbol("v_1", LENGTH / TIME, "one speed reached from rest", positive=True)
 v_sup = symbol("v_sup", LENGTH / TIME, "supremum of the speeds reached from rest before t_0", positive=True)
 t_0 = symbol("t_0", TIME, "any time", positive=True)

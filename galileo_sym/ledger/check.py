@@ -94,11 +94,9 @@ def _judge(declaration, outcome, premises, domains):
             failure = counterexample(hypothesis, declaration.domain, given, declaration.id)
             if failure is not None:
                 return Kind.VACUOUS, f"what is supposed does not hold of what is put in: {hypothesis}", failure
-        trials = [("printed", declaration.printed), ("result", outcome.result)]
-        trials += [(f"step '{s.text}'", s.statement) for s in outcome.steps]
         if declaration.function is None:
             return _given(declaration)
-        for name, statement in trials:
+        for statement, name in _trials(declaration, outcome).items():
             failure = counterexample(statement, declaration.domain, given, declaration.id)
             if failure is not None:
                 return Kind.REFUTED, f"{name} fails", failure
@@ -111,6 +109,15 @@ def _judge(declaration, outcome, premises, domains):
         return Kind.ERROR, f"{type(problem).__name__}: {problem}", None
     method = ", ".join((*outcome.tactics, f"as printed: {how}" if how else "equal in numbers only"))
     return (Kind.PROVED if how else Kind.CHECKED), method, None
+
+
+def _trials(declaration, outcome):
+    """The statements to be tried, each once, with the name it is first given."""
+    named = {declaration.printed: "printed"}
+    named.setdefault(outcome.result, "result")
+    for step in outcome.steps:
+        named.setdefault(step.statement, f"step '{step.text}'")
+    return named
 
 
 def _unsupposed(declaration, outcome, premises):

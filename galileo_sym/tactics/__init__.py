@@ -15,6 +15,8 @@ from .circles import Circle, read_circle, sine_maximum, trace_circle
 from .composition import compose_monotone
 from .eliminate import eliminate, eliminate_angle
 from .factors import first_order, introduce, limits_at_zero, twin_at_zero
+from .homogeneous import by_differentiation, homogeneous, independent_sides, proportional_below
+from .hypotheses import instantiate, modus_ponens, same_argument
 from .implicit import implicit_derivative
 from .inverse import inverse_between, undo
 from .known_limits import limit_of_inverse, limit_with_part
@@ -65,6 +67,7 @@ __all__ = [
     "at_rest",
     "bound_by_end",
     "box_of",
+    "by_differentiation",
     "check_root",
     "compare_on",
     "compose_monotone",
@@ -74,7 +77,10 @@ __all__ = [
     "even_at_extremum",
     "extremum_between",
     "first_order",
+    "homogeneous",
     "implicit_derivative",
+    "independent_sides",
+    "instantiate",
     "integrate_from_zero",
     "introduce",
     "inverse_between",
@@ -87,6 +93,7 @@ __all__ = [
     "limit_of_inverse",
     "limit_with_part",
     "limits_at_zero",
+    "modus_ponens",
     "monotone",
     "monotone_beside",
     "monotone_on_half_line",
@@ -96,6 +103,7 @@ __all__ = [
     "one_root",
     "other_branch",
     "positive_before_root",
+    "proportional_below",
     "read_circle",
     "read_coefficients",
     "require_real",
@@ -103,6 +111,7 @@ __all__ = [
     "revert_minimum",
     "root_of_product",
     "said_of",
+    "same_argument",
     "same_order",
     "sides_of_root",
     "sign_by_factors",
