@@ -33,19 +33,21 @@ from galileo_sym.ledger import (
     Domain,
     Erratum,
     StrictlyDecreasing,
+    StrictlyIncreasing,
     step,
     tell_chapter,
 )
 from galileo_sym.tactics import (
     at_rest,
     check_root,
+    compose_monotone,
     eliminate_angle,
     implicit_derivative,
     isolate,
-    ladder,
     monotone,
     read_circle,
     sign_by_factors,
+    sign_by_ladder,
     solve_motion,
 )
 
@@ -150,43 +152,33 @@ def descent_time(eq42, eq30, eq36, claim__negative_theta_sign):
 
 
 TIME_OF_N = LambertW(-exp(-1 - D * gamma**2 / (g * n))) / gamma + 1 / gamma + D * gamma / (g * n)
+HALVES = ((1, Interval.Ropen(0, LAST)), (-1, Interval.Lopen(-LAST, 0)))
 
 
 @chapter.derive(
     "chord.claim.both-theta-dependent",
     And(
-        StrictlyDecreasing(TIME_OF_N, n, Interval.open(0, sp.oo)),
-        StrictlyDecreasing(1 - mu * tan(theta), theta, Interval.Ropen(0, LAST)),
+        StrictlyIncreasing(TIME_OF_N.subs(n, 1 - mu * tan(theta)), theta, Interval.Ropen(0, LAST)),
+        StrictlyDecreasing(TIME_OF_N.subs(n, 1 + mu * tan(theta)), theta, Interval.Lopen(-LAST, 0)),
     ),
     Domain({**BOTH, D: POSITIVE, theta: Interval.Ropen(0, LAST)}, where={n: 1 - mu * tan(theta)}),
 )
 def theta_matters(eq42, eq43):
-    """D = n h(t) with h rising in t: t falls as n rises, and n falls as theta rises."""
-    z = sp.Symbol("z", positive=True)
-    fallen = sp.simplify(eq42.rhs / (1 - mu * tan(theta)))
-    slope = sp.expand(sp.diff(fallen, t_AB).subs(t_AB, z / gamma) * gamma / g)
-    rises = ladder(slope, z)
-    height = ladder(sp.expand(fallen.subs(t_AB, z / gamma) * gamma**2 / g), z)
-    time = sp.Function("time")
-    dt_dn = implicit_derivative(Eq(n * fallen.subs(t_AB, time(n)), D), time(n), n).rhs.subs(time(n), z / gamma)
-    falls = _sign_of_quotient(dt_dn, rises, height, z)
-    steeper = sign_by_factors(sp.diff(1 - mu * tan(theta), theta).replace(tan, lambda a: sp.Dummy("T", real=True)), {})
-    by_n = eq43.rhs.subs(tan(Abs(theta)), (1 - n) / mu)
+    """(42) is D = n h(t) with h and h' positive: t falls as n rises, and n falls as |theta| rises."""
+    fallen = eq42.rhs.subs(theta, 0)
+    share = sp.simplify(eq42.rhs / fallen)
+    by_n = sp.expand(eq43.rhs.subs(tan(Abs(theta)), isolate(Eq(n, share, evaluate=False), tan(theta)).rhs))
     check_root(Eq(n * fallen, D, evaluate=False), t_AB, by_n)
-    return And(
-        monotone(sp.expand(by_n), n, Interval.open(0, sp.oo), falls),
-        monotone(1 - mu * tan(theta), theta, Interval.Ropen(0, LAST), steeper),
-    )
-
-
-def _sign_of_quotient(quotient, rises, height, z):
-    """The sign of dt/dn = -h/(n h') from h > 0 and h' > 0, both known as functions of z = gamma t."""
-    top, slope = sp.symbols("top slope", positive=True)
-    h = height.lhs * g / gamma**2
-    dh = rises.lhs * g / gamma
-    if sp.simplify(quotient * n * dh + h) != 0:
-        raise DerivationError(f"{quotient} is not -h/(n h')")
-    return sign_by_factors(-top / (n * slope), {})
+    time, z = sp.Function("time"), sp.Symbol("z", positive=True)
+    slope = implicit_derivative(Eq(n * fallen.subs(t_AB, time(n)), D), time(n), n).rhs.subs(time(n), z / gamma)
+    outer = monotone(by_n, n, POSITIVE, sign_by_ladder(slope, z))
+    tangent = sp.Dummy("tangent", real=True)
+    facts = []
+    for side, angles in HALVES:
+        along = share.subs(theta, side * theta)
+        inner = monotone(along, theta, angles, sign_by_factors(sp.diff(along, theta).subs(tan(theta), tangent), {}))
+        facts.append(compose_monotone(outer, step("n on one side", inner)))
+    return And(*facts)
 
 
 @chapter.derive("chord.eq45", Eq(Y(t), g / (2 * gamma) * t - g / (2 * gamma**2) * (1 - exp(-gamma * t))), MOTION)

@@ -4,6 +4,7 @@ import sympy as sp
 from sympy import And, Eq, Gt, Ne, Tuple, atan, pi, sqrt, tan
 
 from galileo_sym.derivations.chord.notation import (
+    ACUTE,
     R,
     g,
     mu,
@@ -49,6 +50,7 @@ from galileo_sym.tactics import (
     sign_by_factors,
     solve_motion,
     start_of,
+    undo_arctangent,
 )
 
 chapter = Chapter("chord.friction_circles", notation, "3. Sliding friction")
@@ -127,23 +129,21 @@ def line_angle(eq21):
     MOVING,
 )
 def centre_line(eq21, eq23):
-    """The direction of the centre does not change."""
+    """The direction of the centre, -mu, does not change; by (23) mu is the tangent of theta_c."""
     a, b = read_circle(eq21.equation, x, y).centre
     direction = sp.simplify(a / b)
     step("the centre", Eq(CENTRE, Tuple(a, b)))
-    if sp.simplify(direction - tan(-eq23.of(theta_c))) != 0:
-        raise DerivationError("the centre does not move at the angle -theta_c")
-    return And(Eq(x_c(t) / y_c(t), tan(-theta_c), evaluate=False), Independent(direction, t))
+    slope = isolate(eq23.equation, mu)
+    return And(Eq(x_c(t) / y_c(t), direction.subs(mu, slope.rhs), evaluate=False), Independent(direction, t))
 
 
 @chapter.derive("chord.support.theta-c-max", Eq(theta_c + theta_max, pi / 2), Domain({mu: POSITIVE}))
 def angles_add_up(eq13, eq23):
-    """The tangent of theta_max is the cotangent of theta_c, and both are acute."""
-    product = tan(eq23.of(theta_c)) * tan(eq13.of(theta_max))
-    if sp.simplify(product) != 1:
-        raise DerivationError(f"tan(theta_c)*tan(theta_max) = {product}")
-    step("cotangent", Eq(tan(theta_max), 1 / tan(theta_c), evaluate=False))
-    return Eq(theta_c + theta_max, pi / 2)
+    """By (23) mu is the tangent of theta_c; in (13) that is the arctangent of a cotangent, and theta_c is acute."""
+    slope = isolate(eq23.equation, mu)
+    cotangent = step("cotangent", Eq(theta_max, eq13.of(theta_max).subs(mu, slope.rhs), evaluate=False))
+    complement = undo_arctangent(cotangent.rhs, theta_c, ACUTE)
+    return Eq(theta_c + theta_max, theta_c + complement, evaluate=False)
 
 
 @chapter.derive(
@@ -173,14 +173,14 @@ def left_circle(eq14, setup, eq7, eq8):
     Domain({g: POSITIVE, mu: POSITIVE, t: POSITIVE}, where={x_c(t): mu * K, y_c(t): K}),
 )
 def negative_circle(eq24, eq22, eq23):
-    """Read centre and radius off (24)."""
+    """Read centre and radius off (24); by (22) the radius is R(t), by (23) mu is the tangent of theta_c."""
     seen = read_circle(eq24.equation, x, y)
-    if sp.simplify(seen.radius - eq22.rhs) != 0:
-        raise DerivationError("the radii of (21) and (24) differ")
-    if sp.simplify(seen.centre[0] / seen.centre[1] - tan(eq23.of(theta_c))) != 0:
-        raise DerivationError("the centre does not move at the angle theta_c")
-    line = Eq(x_c(t) / y_c(t), tan(theta_c), evaluate=False)
-    return And(Eq(R(t), seen.radius), *acceleration(seen.centre).args, line)
+    as_on_the_right = sp.simplify(seen.radius.subs(g, isolate(eq22.equation, g).rhs))
+    if as_on_the_right != R(t):
+        raise DerivationError(f"the radius of (24) is {as_on_the_right}")
+    direction = sp.simplify(seen.centre[0] / seen.centre[1])
+    line = Eq(x_c(t) / y_c(t), direction.subs(mu, isolate(eq23.equation, mu).rhs), evaluate=False)
+    return And(Eq(as_on_the_right, seen.radius, evaluate=False), *acceleration(seen.centre).args, line)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,7 @@ from galileo_sym.ledger import (
     Independent,
     tell_chapter,
 )
+from galileo_sym.ledger.equivalence import equivalent
 from galileo_sym.tactics import (
     elementary_limit,
     isolate,
@@ -170,18 +171,16 @@ def crossing(eq26, eq27, eq20, claim__slides_iff):
     ),
     PLANE,
 )
-def zero_friction(eq26, eq27, eq9):
-    """Both circles become (9), rescaled."""
-    k = g * t**2 / 4
-    rescaled = sp.expand((eq9.lhs - eq9.rhs).subs({x: k * xt, y: k * yt}) / k**2)
-    galileo = sp.expand(rescaled / rescaled.coeff(xt**2))
+def zero_friction(eq26, eq27, eq9, eq25):
+    """The limits of (26) and (27); they are (9) rescaled, put on one side."""
+    galileo = rescale(eq9.equation, eq25)
     limits = []
     for equation in (eq26, eq27):
-        left = sp.expand(equation.lhs - equation.rhs)
-        left = left / left.coeff(xt, 2)
-        if sp.expand(elementary_limit(left, mu, 0) - galileo) != 0:
-            raise DerivationError(f"{left} does not become {galileo}")
-        limits.append(Eq(Limit(left, mu, 0, "+"), galileo, evaluate=False))
+        left = equation.lhs - equation.rhs
+        value = elementary_limit(left, mu, 0)
+        if equivalent(Eq(value, 0, evaluate=False), galileo) is None:
+            raise DerivationError(f"{left} becomes {value}, which is not that of {galileo}")
+        limits.append(Eq(Limit(left, mu, 0, "+"), value, evaluate=False))
     return And(*limits)
 
 

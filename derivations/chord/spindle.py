@@ -45,6 +45,7 @@ from galileo_sym.ledger import (
     tell_chapter,
 )
 from galileo_sym.tactics import (
+    as_wave,
     isolate,
     read_circle,
     sign_by_factors,
@@ -69,15 +70,12 @@ LEFT_ARC_TRACED = TracesOnce(LEFT_POINT, theta, LEFT, EQ24, sp.Le(x, 0), Tuple(x
     ARC,
 )
 def lens(eq19, eq20, eq23):
-    """Collect the sine and the cosine of 2 theta with the angle theta_c."""
+    """Collect the sine and the cosine of 2 theta in one wave; by (23) its offset atan(mu) is theta_c."""
     forms = []
-    for coordinate, premise, shift, turn in ((x, eq19, mu, sin), (y, eq20, -1, cos)):
-        rescaled = sp.expand(without_s(premise, coordinate).rhs / K) + shift
-        both = sqrt(1 + mu**2) * turn(2 * theta + eq23.of(theta_c))
-        opened = sp.expand_trig(both).expand()
-        if sp.simplify(sp.expand_trig(rescaled) - opened) != 0:
-            raise DerivationError(f"{rescaled} is not {both}")
-        forms.append(Eq(coordinate / K + shift, sqrt(1 + mu**2) * turn(2 * theta + theta_c), evaluate=False))
+    for coordinate, premise, turn in ((x, eq19, sin), (y, eq20, cos)):
+        wave = as_wave(sp.expand(without_s(premise, coordinate).rhs / K), 2 * theta, turn)
+        offset = wave.offset.subs(eq23.of(theta_c), theta_c)
+        forms.append(Eq(coordinate / K - wave.level, wave.amplitude * turn(2 * theta + offset), evaluate=False))
     return And(*forms)
 
 
