@@ -19,6 +19,7 @@ g = symbol("g", LENGTH / TIME**2, "gravity", positive=True)
 v = symbol("v", LENGTH / TIME, "launch speed", positive=True)
 k = symbol("k", 1 / TIME, "resistance for unit mass and speed", positive=True)
 alpha = symbol("alpha", ONE, "k*v/g", positive=True)
+alpha_0 = symbol("alpha_0", ONE, "k*v/g, which may be 0", nonnegative=True)
 theta = symbol("theta", ONE, "elevation at launch, from the horizontal", real=True)
 theta_max = symbol("theta_max", ONE, "elevation of the largest range", sp.Interval.open(0, sp.pi / 2), positive=True)
 t = symbol("t", TIME, "time since launch; the unknown of result (3)", real=True)
@@ -38,6 +39,7 @@ tau = symbol("tau", ONE, "1/(alpha**2 - 1 - u)", real=True)
 a_3 = symbol("a_3", ONE, "a of result (3) in the proof of Theorem 3", positive=True)
 b_3 = symbol("b_3", ONE, "b of result (3) in the proof of Theorem 3", real=True)
 c_3 = symbol("c_3", ONE, "c of result (3) in the proof of Theorem 3", positive=True)
+n = symbol("n", ONE, "order of a term of a power series", integer=True, nonnegative=True)
 d_3 = symbol("d_3", ONE, "d of result (3) in the proof of Theorem 3", real=True, nonzero=True)
 
 x = function("x", LENGTH, "horizontal coordinate")
@@ -47,6 +49,8 @@ v_y = function("v_y", LENGTH / TIME, "vertical velocity")
 R = function("R", LENGTH, "horizontal range")
 T = function("T", ONE, "w*exp(w)")
 U = function("U", ONE, "u as a function of k and theta")
+Theta = function("Theta", ONE, "theta_max as a function of alpha")
+H = function("H", ONE, "(1 + w*exp(w + 1))/(w + 1)**2")
 
 notation.dimensions[y(u)] = ONE
 
@@ -84,6 +88,12 @@ class StationaryAngle(sp.Function):
     is_real = True
     is_positive = True
 
+    def fdiff(self, argindex=1):
+        """By the implicit function theorem, from the condition that defines the angle."""
+        (a,) = self.args
+        curvature = sp.diff(W_u, u, 2).subs(u, -1 - a * sp.sin(self))
+        return curvature * sp.sin(self) / (2 * sp.tan(self) / sp.cos(self) ** 2 - curvature * a * sp.cos(self))
+
     @staticmethod
     def mp_value(a):
         """The angle to the working precision of mpmath."""
@@ -100,11 +110,12 @@ def _stationary_angle(a, digits):
         angle = mp.exp(log_angle)
         at = -1 - a * mp.sin(angle)
         inverse = mp.lambertw(at * mp.exp(at)).real
-        return mp.tan(angle) ** 2 + (at + 1) * inverse / ((inverse + 1) * at)
+        return mp.log(mp.tan(angle) ** 2) - mp.log(a * mp.sin(angle) * inverse / ((inverse + 1) * at))
 
-    with mp.workdps(80):
+    lost = 3 * max(0, -int(mp.log10(a)))  # y + 1 loses twice the digits that alpha is below 1
+    with mp.workdps(80 + lost):
         ends = mp.log(1 / (4 + 4 * a)), mp.log(mp.pi / 4)
-        near = mp.findroot(condition, ends, solver="anderson", maxsteps=200)
-    with mp.workdps(2 * digits + 40):  # y + 1 loses half of the digits as alpha goes to 0
+        near = mp.findroot(condition, ends, solver="anderson", tol=mp.mpf(10) ** -60, maxsteps=200)
+    with mp.workdps(2 * digits + 40 + lost):
         pair = near, near * (1 + mp.mpf(10) ** -20)
         return mp.exp(mp.findroot(condition, pair, solver="secant", tol=mp.mpf(10) ** -(digits + 10)))

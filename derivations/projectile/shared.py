@@ -3,9 +3,22 @@
 import sympy as sp
 from sympy import Eq, Ge, Interval, LambertW, exp, sin
 
-from galileo_sym.derivations.projectile.notation import TRIAL_Y, StationaryAngle, alpha, k, tau, theta, theta_max, u, w
-from galileo_sym.ledger import Domain
-from galileo_sym.tactics import isolate
+from galileo_sym.derivations.projectile.notation import (
+    TRIAL_Y,
+    StationaryAngle,
+    T,
+    alpha,
+    alpha_0,
+    k,
+    q,
+    tau,
+    theta,
+    theta_max,
+    u,
+    w,
+)
+from galileo_sym.ledger import Domain, StrictlyIncreasing, step
+from galileo_sym.tactics import continuous_inverse, isolate
 
 E1 = exp(1)
 W_a = LambertW((alpha**2 - 1) / E1)
@@ -23,6 +36,19 @@ NOT_1 = sp.Union(BELOW_1, ABOVE_1, evaluate=False)
 ALL_CASES = Domain({alpha: CASES}, where=AT_BEST)
 CASE_1 = Domain({alpha: sp.FiniteSet(1)}, where=AT_BEST)
 CASE_2 = Domain({alpha: NOT_1}, where=AT_BEST)
+
+
+# theta_max as a function of alpha, its value at 0 that of a throw without resistance
+BEST_FROM_0 = sp.Piecewise((sp.pi / 4, Eq(alpha_0, 0)), (StationaryAngle(alpha_0), True))
+
+
+def continuous_w(definition, power, monotone):
+    """W is continuous from -1/e on, as the inverse of the rising half of T."""
+    round_trip = next(e for e in definition.parts if isinstance(e, Eq) and e.lhs == T(LambertW(q)))
+    values = next(e for e in definition.parts if isinstance(e, Ge) and e.lhs == LambertW(q))
+    rising = next(e for e in monotone.parts if isinstance(e, StrictlyIncreasing))
+    product = Eq(power.of(T(w)).subs(w, LambertW(q)), round_trip.rhs, evaluate=False)
+    return step("W is continuous", continuous_inverse(rising, product, values))
 
 
 def sine_of_u(def_u, def_alpha):

@@ -13,7 +13,7 @@ from .verdict import Kind, Verdict
 
 __all__ = [
     "LENGTH", "MASS", "NONNEGATIVE", "ONE", "POSITIVE", "REAL", "TIME",
-    "Chapter", "Continuous", "DerivationError", "Domain", "Entry", "Erratum", "ExactlyOneRoot", "ForAll", "Independent", "Kind",
-    "Ledger", "Notation", "PowerSeries", "Premise", "Step", "StrictlyDecreasing", "StrictlyIncreasing", "TracesOnce",
-    "UniqueMaximum", "UnknownEntry", "Verdict", "step", "tactic", "tell", "tell_chain", "tell_chapter",
+    "Chapter", "Continuous", "DerivationError", "Domain", "Entry", "Erratum", "ExactlyOneRoot", "ForAll", "Independent",
+    "Kind", "Ledger", "Notation", "PowerSeries", "Premise", "Step", "StrictlyDecreasing", "StrictlyIncreasing",
+    "TracesOnce", "UniqueMaximum", "UnknownEntry", "Verdict", "step", "tactic", "tell", "tell_chain", "tell_chapter",
 ]  # fmt: skip

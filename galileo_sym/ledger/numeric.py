@@ -15,6 +15,7 @@ from .predicates import Claim, OneSignChange
 
 DIGITS = (80, 200, 500, 1200)  # tried in turn
 AGREE = 50  # digits in which two sides must agree
+MOST_TERMS = 4000  # of an infinite series
 
 
 class Untestable(ValueError):
@@ -24,12 +25,14 @@ class Untestable(ValueError):
 def value(expr, point, digits):
     """The value of an expression at a point, as an mpmath number computed with `digits` digits."""
     expr, point = _plug_limits(sp.sympify(expr), point, digits)
+    expr, point = _plug_sums(expr, point, digits)
     symbols, unknown, function = _compiled(expr)
     missing = [*(s for s in symbols if s not in point), *unknown]
     if missing:
         raise Untestable(f"no value for {', '.join(map(str, missing))} in {expr}")
     with mp.workdps(digits):
-        return mp.mpmathify(function(*(_number(point[s], digits) for s in symbols)))
+        # + makes a number of a constant, such as e, which else would be taken to the precision of whoever asks
+        return +mp.mpmathify(function(*(_number(point[s], digits) for s in symbols)))
 
 
 @functools.lru_cache(maxsize=4096)
@@ -54,22 +57,73 @@ def _extra_functions(expr):
     return {f.func.__name__: f.func.mp_value for f in expr.atoms(sp.Function) if hasattr(f.func, "mp_value")}
 
 
+@functools.lru_cache(maxsize=8192)
+def _parts(expr, kind):
+    """The atoms of one kind, looked for once: an expression is tried at many points."""
+    return expr.atoms(kind)
+
+
 def _plug_limits(expr, point, digits):
     """Name every Limit, and add its value to the point: that of the function very near the place."""
-    limits = expr.atoms(sp.Limit)
+    limits = _parts(expr, sp.Limit)
     if not limits:
         return expr, point
     values = {_name(e): _near(*e.args[:3], str(e.args[3]), point, digits) for e in limits}
     return expr.xreplace({e: _name(e) for e in limits}), {**point, **values}
 
 
+def _plug_sums(expr, point, digits):
+    """Name every infinite Sum, and add its value to the point."""
+    sums = _parts(expr, sp.Sum)
+    if not sums:
+        return expr, point
+    values = {_name(e): _total(e, point, digits) for e in sums}
+    return expr.xreplace({e: _name(e) for e in sums}), {**point, **values}
+
+
+def _total(series, point, digits):
+    """Terms are added until several in a row are nothing beside the largest."""
+    term, (n, first, last) = series.args
+    if last is not sp.oo:
+        raise Untestable(f"not an infinite series: {series}")
+    hidden, constants = _varying(term, n)
+    point = {**point, **{name: value(part, point, digits) for part, name in constants.items()}}
+    total = largest = mp.mpf(0)
+    idle = 0
+    with mp.workdps(digits):
+        start = int(value(first, point, digits))
+        for i in range(start, start + MOST_TERMS):
+            more = value(hidden, {**point, n: sp.Integer(i)}, digits)
+            total, largest = total + more, max(largest, abs(more))
+            idle = idle + 1 if abs(more) <= largest * mp.mpf(10) ** -(digits + 5) else 0
+            if idle == 6:
+                return total
+    raise Untestable(f"{series} does not converge in {MOST_TERMS} terms at {point}")
+
+
 @functools.lru_cache(maxsize=256)
-def _name(limit):
-    return sp.Dummy("limit", real=True)
+def _varying(term, n):
+    """A term with names for what does not depend on its number, which is computed once, and those names."""
+    constants = {}
+
+    def hide(expr):
+        if expr.is_Number or expr == n:
+            return expr
+        if n not in expr.free_symbols:
+            return constants.setdefault(expr, sp.Dummy("constant", real=True))
+        return expr.func(*map(hide, expr.args))
+
+    return hide(term), constants
+
+
+@functools.lru_cache(maxsize=256)
+def _name(infinite):
+    return sp.Dummy(type(infinite).__name__.lower(), real=True)
 
 
 def _near(f, x, at, direction, point, digits):
     h = sp.Integer(10) ** (-(digits - 10) // 1)
+    at = at.xreplace({s: point[s] for s in at.free_symbols})
     if at in (sp.oo, -sp.oo):
         place = sp.sign(at) / h
     else:
@@ -83,6 +137,22 @@ def holds(statement, point) -> bool:
         return True
     if statement in (sp.false, False):
         return False
+    return _closed(statement) if _is_closed(statement) else _holds(statement, point)
+
+
+@functools.lru_cache(maxsize=8192)
+def _is_closed(statement):
+    """Whether a statement is about no point, looked up once."""
+    return not statement.free_symbols
+
+
+@functools.lru_cache(maxsize=256)
+def _closed(statement):
+    """The truth of a statement that is about no point: found once, and not at every point."""
+    return _holds(statement, {})
+
+
+def _holds(statement, point):
     if isinstance(statement, OneSignChange):
         return statement.signs_of(lambda f, x, at: sign(f, _bind(point, {x: at})))
     if isinstance(statement, Claim):

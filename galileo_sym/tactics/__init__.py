@@ -13,7 +13,17 @@ from .boxes import box_of, compare_on, sign_by_ladder, sign_on, trig_box
 from .branches import all_preimages
 from .circles import Circle, read_circle, sine_maximum, trace_circle
 from .composition import compose_monotone
+from .continuity import (
+    closed_at_end,
+    continuous_inverse,
+    continuous_on,
+    filled_in,
+    limit_inside,
+    limit_of_parts,
+    limit_of_ratio,
+)
 from .eliminate import eliminate, eliminate_angle
+from .entire_series import affine_series, divide_series, entire_series, renumber, times_sum, with_tail
 from .factors import first_order, introduce, limits_at_zero, twin_at_zero
 from .homogeneous import by_differentiation, homogeneous, independent_sides, proportional_below
 from .hypotheses import instantiate, modus_ponens, same_argument
@@ -47,6 +57,7 @@ from .roots import (
 from .signs import (
     arguments_reversed,
     ladder,
+    ladder_order,
     monotone,
     monotone_through,
     not_negative,
@@ -61,6 +72,7 @@ __all__ = [
     "Circle",
     "Wave",
     "above_limit",
+    "affine_series",
     "all_preimages",
     "arguments_reversed",
     "as_wave",
@@ -69,13 +81,19 @@ __all__ = [
     "box_of",
     "by_differentiation",
     "check_root",
+    "closed_at_end",
     "compare_on",
     "compose_monotone",
+    "continuous_inverse",
+    "continuous_on",
+    "divide_series",
     "elementary_limit",
     "eliminate",
     "eliminate_angle",
+    "entire_series",
     "even_at_extremum",
     "extremum_between",
+    "filled_in",
     "first_order",
     "homogeneous",
     "implicit_derivative",
@@ -87,10 +105,14 @@ __all__ = [
     "inverse_tends",
     "isolate",
     "ladder",
+    "ladder_order",
     "least_value",
     "limit_along",
     "limit_by_parameter",
+    "limit_inside",
     "limit_of_inverse",
+    "limit_of_parts",
+    "limit_of_ratio",
     "limit_with_part",
     "limits_at_zero",
     "modus_ponens",
@@ -106,6 +128,7 @@ __all__ = [
     "proportional_below",
     "read_circle",
     "read_coefficients",
+    "renumber",
     "require_real",
     "rescale",
     "revert_minimum",
@@ -127,6 +150,7 @@ __all__ = [
     "take_out",
     "taylor",
     "taylor_coefficient",
+    "times_sum",
     "trace_circle",
     "trig_box",
     "twin_at_zero",
@@ -137,4 +161,5 @@ __all__ = [
     "value_at_centre",
     "value_near",
     "values_ordered",
+    "with_tail",
 ]

@@ -27,6 +27,13 @@ def ladder(expr, variable) -> sp.Gt:
     return sp.Gt(expr, 0, evaluate=False)
 
 
+@tactic
+def ladder_order(smaller, larger, variable) -> sp.Lt:
+    """Prove smaller < larger for every variable > 0, by the ladder for the difference."""
+    ladder(larger - smaller, variable)
+    return sp.Lt(smaller, larger, evaluate=False)
+
+
 def _climb(expr, x, depth):
     expr = sp.simplify(expr)
     if expr.is_positive or sp.factor(expr).is_positive:
