@@ -5,20 +5,21 @@ from sympy import And, Eq, Gt, Interval, Lt, Tuple, atan, cos, exp, oo, pi, sin
 
 from galileo_sym.derivations.chord.notation import (
     D,
-    F_d,
-    F_g,
     R,
+    f,
     g,
     gamma,
-    m,
     notation,
     s,
     s_AB,
     t,
     t_AB,
     theta,
+    v,
     x,
+    x_c,
     y,
+    y_c,
 )
 from galileo_sym.derivations.chord.shared import doubled_coordinates
 from galileo_sym.ledger import (
@@ -39,8 +40,10 @@ from galileo_sym.tactics import (
     elementary_limit,
     eliminate_angle,
     ladder,
+    ladder_order,
     monotone,
     one_root,
+    read_circle,
     solve_motion,
     trace_circle,
 )
@@ -53,6 +56,7 @@ MOTION = Domain({g: POSITIVE, gamma: POSITIVE, t: NONNEGATIVE, theta: QUARTER})
 CIRCLE = Domain({g: POSITIVE, gamma: POSITIVE, t: POSITIVE, theta: QUARTER})
 TIMES = Domain({g: POSITIVE, gamma: POSITIVE, t: NONNEGATIVE})
 DESCENT = Domain({g: POSITIVE, D: POSITIVE, gamma: POSITIVE, theta: INSIDE})
+DRAG = gamma * v  # the resistive force for unit mass that section 4 is about
 FALLEN = g / gamma * t - g / gamma**2 * (1 - exp(-gamma * t))
 FALLEN_AB = g / gamma * t_AB - g / gamma**2 * (1 - exp(-gamma * t_AB))
 
@@ -60,13 +64,11 @@ FALLEN_AB = g / gamma * t_AB - g / gamma**2 * (1 - exp(-gamma * t_AB))
 @chapter.derive(
     "chord.eq28",
     Eq(s(t).diff(t, 2), g * cos(theta) - gamma * s(t).diff(t)),
-    Domain({m: POSITIVE, **MOTION.ranges}),
+    Domain(MOTION.ranges, where={f(v): DRAG}),
 )
-def motion(law__friction):
-    """Newton's law along the chord: gravity, and a drag of gamma for unit mass and speed, against the motion."""
-    pull = step("gravity along the chord", Eq(F_g, law__friction.of(F_g)))
-    drag = step("drag", Eq(F_d, m * gamma * s(t).diff(t), evaluate=False))
-    return Eq(s(t).diff(t, 2), sp.expand((pull.rhs - drag.rhs) / m), evaluate=False)
+def motion(eq50):
+    """(50) with the resistive force that this section assumes, gamma v for unit mass."""
+    return eq50.equation.replace(f, sp.Lambda(v, DRAG))
 
 
 @chapter.derive("chord.eq29", Eq(s(t), FALLEN * cos(theta)), MOTION)
@@ -123,19 +125,19 @@ def point_at(path, half, setup, double_sine, double_cosine):
             atan(x / y),
         ),
         Gt(R(t), 0),
+        Eq(Tuple(x_c(t), y_c(t)), Tuple(0, R(t))),
     ),
     CIRCLE,
 )
 def whole_circles(eq29, eq31, eq32, setup, eq7, eq8):
-    """Seen from the centre the bead is at the angle 2 theta; the circle touches the x-axis in A."""
-    touching = eq31.equation.subs(y, 0)
-    if sp.solve(touching.lhs - touching.rhs, x) != [0]:
-        raise DerivationError("the circle does not touch the x-axis in A alone")
+    """Seen from the centre the bead is at the angle 2 theta; the centre is R below A, so the x-axis is a tangent."""
+    seen = read_circle(eq31.equation, x, y)
+    if seen.centre[0] != 0 or seen.centre[1] != seen.radius:
+        raise DerivationError(f"a circle with the centre {seen.centre} and radius {seen.radius} does not touch in A")
     point = point_at(eq29, eq32, setup, eq7, eq8)
     traced = trace_circle(point, theta, QUARTER, eq31.equation, sp.true, (x, y), atan(x / y))
-    z = sp.Symbol("z", positive=True)
-    ladder(sp.expand(eq32.rhs.subs(t, z / gamma) * gamma**2 / g), z)
-    return And(traced, Gt(R(t), 0))
+    grown = ladder(eq32.rhs, t)
+    return And(traced, grown.subs(eq32.rhs, eq32.lhs), Eq(Tuple(x_c(t), y_c(t)), Tuple(*seen.centre)))
 
 
 @chapter.derive(
@@ -162,16 +164,12 @@ def paradox_persists(eq30):
     Domain({g: POSITIVE, gamma: POSITIVE, t: POSITIVE}, where={R(t): FALLEN / 2}),
 )
 def grows_more_slowly(eq32, eq10):
-    """With z = gamma t: z^2/2 > z - 1 + e^(-z) > 0, and z > 1 - e^(-z)."""
-    z = sp.Symbol("z", positive=True)
-    unit = {t: z / gamma}
-    scale = 2 * gamma**2 / g
-    with_drag, without = (sp.expand(e.rhs.subs(unit) * scale) for e in (eq32, eq10))
-    ladder(with_drag, z)
-    ladder(without - with_drag, z)
-    slopes = [sp.expand(sp.diff(e.rhs, t).subs(unit) * 2 * gamma / g) for e in (eq32, eq10)]
-    ladder(slopes[1] - slopes[0], z)
-    return And(Gt(R(t), 0), Lt(R(t), eq10.rhs), Lt(R(t).diff(t), sp.diff(eq10.rhs, t)))
+    """By the derivative ladder: both radii, and both slopes, begin with 0 and the derivatives are in this order."""
+    slopes = [sp.diff(e.rhs, t) for e in (eq32, eq10)]
+    grown, slower = ladder(eq32.rhs, t), ladder_order(eq32.rhs, eq10.rhs, t)
+    slower_slope = ladder_order(*slopes, t)
+    named = {eq32.rhs: eq32.lhs, slopes[0]: sp.Derivative(eq32.lhs, t)}
+    return And(*(e.subs(named) for e in (grown, slower, slower_slope)))
 
 
 if __name__ == "__main__":
