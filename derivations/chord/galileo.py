@@ -99,15 +99,17 @@ def time_along_chord(eq1):
 @chapter.derive("chord.eq3", Eq(s_AB, D * cos(theta)), CHORD)
 def chord_length(setup):
     """Meet the ray from A with the circle on the diameter AC; the angle at B is then a right one (Thales)."""
-    circle = Eq(x**2 + (y - D / 2) ** 2, (D / 2) ** 2, evaluate=False)
-    ray = {x: setup.of(x).subs(s(t), s_AB), y: setup.of(y).subs(s(t), s_AB)}
+    place = sp.Matrix([setup.of(x), setup.of(y)]).subs(s(t), s_AB)  # of a bead at the distance s_AB from A
+    below = place.subs(theta, 0)
+    lowest = D * below / sp.sqrt(below.dot(below))  # C, the other end of the diameter
+    on_circle = Eq((place - lowest / 2).dot(place - lowest / 2), lowest.dot(lowest) / 4, evaluate=False)
     length = sp.Symbol("length", real=True)
-    on_ray = Eq(sp.simplify(circle.lhs.subs(ray)), circle.rhs, evaluate=False).subs(s_AB, length)
-    found = isolate(on_ray, length, drop={0: "the point A itself"}).rhs
-    to_a = sp.Matrix([ray[x], ray[y]]).subs(s_AB, found)
-    to_c = to_a - sp.Matrix([0, D])
-    step("BA and BC are perpendicular", Eq(to_a.dot(to_c), 0, evaluate=False))
-    return Eq(s_AB, found)
+    on_ray = Eq(sp.simplify(on_circle.lhs), on_circle.rhs, evaluate=False).subs(s_AB, length)
+    found = isolate(on_ray, length, drop={0: "the point A itself"})
+    step("as far from the middle of AC as A", on_circle)
+    to_a = place.subs(s_AB, found.rhs)
+    step("BA and BC are perpendicular", Eq(to_a.dot(to_a - lowest), 0, evaluate=False))
+    return found.subs(length, s_AB)
 
 
 @chapter.derive("chord.eq4", Eq(t_AB, sqrt(2 * D / g)), CHORD, erratum=LENGTH_ZERO)

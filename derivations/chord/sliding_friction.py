@@ -43,7 +43,6 @@ from galileo_sym.tactics import (
     solve_motion,
     start_of,
     substitute,
-    unhide,
     values_ordered,
 )
 
@@ -179,12 +178,16 @@ EQ16 = Eq(t_AB, sqrt(2 * s_AB / (g * (cos(theta) - mu * sin(theta)))))
     erratum=endless(EQ16, sqrt(2 * s_AB / g)),
 )
 def time_along_chord(eq15):
-    """The bead is at B when s = s_AB; only the positive root is a time after the release."""
-    arrival = step("put back in (15)", Eq(s_AB, eq15.rhs.subs(t, t_AB), evaluate=False))
-    driving = sp.Symbol("driving", positive=True)
-    pull = sp.simplify(arrival.rhs / (g * t_AB**2 / 2))
-    root = isolate(Eq(s_AB, g * t_AB**2 / 2 * driving, evaluate=False), t_AB)
-    return Eq(t_AB, unhide(root.rhs, {driving: pull}))
+    """The bead is at B when s = s_AB."""
+    return arrival_time(eq15.equation, s_AB)
+
+
+def arrival_time(motion, length):
+    """Solve for the time at which a bead that slides is at B; only the positive root is after the release."""
+    arrival = step("arrival at B", Eq(length, sp.factor(motion.rhs.subs(t, t_AB)), evaluate=False))
+    (pull,) = (e for e in sp.Mul.make_args(arrival.rhs) if e.has(theta))
+    step("the bead slides", Gt(pull, 0))
+    return isolate(arrival, t_AB, hide={pull: sp.Symbol("pull", positive=True)})
 
 
 EQ17 = Eq(t_AB, sqrt((2 * D / g) / (1 - mu * tan(theta))))
@@ -214,11 +217,7 @@ def over_cosine(root):
 def descent_time_left(eq14, eq3, setup):
     """The same with (14)."""
     path = solve_motion(eq14.equation, s(t), start_of(setup.parts, s(t)))
-    arrival = step("arrival at B", Eq(eq3.of(s_AB), path.rhs.subs(t, t_AB), evaluate=False))
-    pull = sp.simplify(arrival.rhs / (g * t_AB**2 / 2))
-    driving = sp.Symbol("driving", positive=True)
-    root = isolate(Eq(s_AB, g * t_AB**2 / 2 * driving, evaluate=False), t_AB)
-    return Eq(t_AB, over_cosine(unhide(root.rhs, {driving: pull, s_AB: eq3.of(s_AB)})))
+    return substitute(arrival_time(path, s_AB), {s_AB: eq3.of(s_AB)}, tidy=over_cosine)
 
 
 @chapter.derive(
