@@ -28,6 +28,8 @@ ROOT_ALONE = {
     ("projectile.nodrag.impact", "projectile.nodrag.y"): partial(scaled, name="g"),
     ("projectile.impact.eq", "projectile.drag.y"): partial(scaled, name="g"),
     ("projectile.claim.trivial-root", "projectile.impact.time"): partial(scaled, name="u"),
+    ("projectile.limit.rewrite", "projectile.limit.statement"): partial(scaled, name="u"),
+    ("projectile.limit.nodrag", "projectile.range.u"): partial(scaled, name="u"),
 }
 SIGN_ALONE = {
     ("projectile.support.branch-thm3", "projectile.def.alpha"): opposite,
