@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
 .DEFAULT_GOAL := all
-.PHONY: all install test mutants lint format clean help
+.PHONY: all install test mutants coverage lint format clean help
 
 all: install ## install, then derive, emit and verify everything
 	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
@@ -25,6 +25,9 @@ test: install ## run the tests, in parallel
 
 mutants: install ## put a wrong premise into every derivation, one at a time: none may still be proved
 	$(BIN)/python -m pytest -n 2 --dist loadgroup tests/derivations/test_premises_matter.py --all-mutants
+
+coverage: install ## derive everything, and hold docs/coverage.md against it
+	$(BIN)/python tools/coverage_page.py
 
 lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .

@@ -34,13 +34,14 @@ def derive(options) -> int:
             rows, told = _derived(options, store)
     except UnknownEntry as problem:
         raise UsageError(problem) from None
+    missing = _coverage(rows, options.json) if options.coverage else []
     if options.json:
         print(json.dumps(told or rows, indent=2))
-    else:
-        print("\n".join(told) if told else _tables(rows) if options.coverage else listing(rows))
+    elif not options.coverage:
+        print("\n".join(told) if told else listing(rows))
     if options.graph:
         print(*_drawn(rows, options.output), sep="\n", file=sys.stderr)
-    return 0 if all(map(holds, rows)) else 1
+    return 0 if all(map(holds, rows)) and not missing else 1
 
 
 def _derived(options, store):
@@ -62,11 +63,17 @@ def _steps(entry):
     return {"steps": [{"text": step.text, "statement": str(step.statement)} for step in entry.steps]}
 
 
-def _tables(rows):
+def _coverage(rows, quiet):
+    """Print the tables; returns the items that have no sound entry."""
     from galileo_sym import coverage
     from galileo_sym.ledger.inventory import inventory
 
-    return coverage.tables(rows, inventory())
+    if not quiet:
+        print(coverage.tables(rows, inventory()))
+    missing = coverage.gaps(rows, inventory())
+    if missing:
+        print(f"not proved: {', '.join(missing)}", file=sys.stderr)
+    return missing
 
 
 def _drawn(rows, folder):

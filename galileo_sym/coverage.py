@@ -25,6 +25,21 @@ def tables(rows: list[dict], items: Mapping) -> str:
     return "\n".join([*_markdown(COLUMNS, _coverage(rows, items)), "", *_markdown(ERRATA, _errata(rows, items))])
 
 
+def gaps(rows: list[dict], items: Mapping) -> list[str]:
+    """Ids of the inventory's items that have no entry, or one that is neither proved nor rightly given."""
+    known = {row["id"]: row for row in rows}
+    wanted = [item for item in items.values() if item.kind != NOT_DERIVED]
+    return [item.id for item in wanted if _standing(item, known.get(item.id)) == COLUMNS[-1]]
+
+
+def _standing(item, row):
+    """The column in which an item, or an entry that is none, is counted."""
+    verdict = row and row["verdict"]
+    if verdict in ("proved", "certified"):
+        return verdict
+    return "given" if verdict in GIVEN and item is not None and item.kind == verdict else COLUMNS[-1]
+
+
 def _coverage(rows, items):
     known = {row["id"]: row for row in rows}
     groups: dict[tuple, list] = {}
@@ -40,11 +55,8 @@ def _coverage(rows, items):
 
 
 def _counts(found):
-    present = [(item, row) for item, row in found if row is not None]
-    verdicts = Counter(row["verdict"] for _, row in present)
-    given = sum(row["verdict"] in GIVEN and item is not None and item.kind == row["verdict"] for item, row in present)
-    sound = (verdicts["proved"], verdicts["certified"], given)
-    return len(found), len(present), *sound, len(found) - sum(sound)
+    columns = Counter(_standing(item, row) for item, row in found)
+    return len(found), sum(row is not None for _, row in found), *(columns[name] for name in COLUMNS[4:])
 
 
 ERRATA = ("erratum", "shown by", "verdict", "as printed", "correction")

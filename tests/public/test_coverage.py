@@ -50,6 +50,11 @@ def test_what_is_missing_checked_or_given_against_the_inventory_counts_as_anythi
     assert ["both", "all", "7", "6", "2", "1", "1", "3"] in lines
 
 
+def test_gaps_are_the_items_without_a_sound_entry():
+    assert coverage.gaps(ROWS, ITEMS) == ["b", "c", "g"]
+    assert coverage.gaps(ROWS, {"a": ITEMS["a"], "e": ITEMS["e"]}) == []
+
+
 def test_each_erratum_names_its_entry_or_says_that_there_is_none():
     text = coverage.tables(ROWS, ITEMS)
     assert "| S2 | `b` | checked | refuted at x = 1 | a \\| b |" in text
