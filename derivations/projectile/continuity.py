@@ -30,6 +30,7 @@ from galileo_sym.ledger import (
     Domain,
     Erratum,
     PowerSeries,
+    UniqueMaximum,
     step,
     tell_chapter,
 )  # fmt: skip
@@ -319,11 +320,12 @@ def _as_height(sine, product):
         ("S14",), "it is the maximum range angle, not the maximum range, that is continuous and decreasing"
     ),
 )
-def continuous(thm3, cont__pi4, cont__alpha1, cont__WeW, def__W, def__T, claim__T_monotone):
+def continuous(thm3, nodrag__claim__max_pi4, cont__pi4, cont__alpha1, cont__WeW, def__W, def__T, claim__T_monotone):
     """The arcsine of a quotient that is defined and below 1 in size but at 0 and 1; there it has limits."""
     general, special = _sine(thm3)
     square, share, below = _as_height(general, cont__WeW.equation)
-    values = {sp.S.Zero: cont__pi4.rhs, sp.S.One: asin(special)}
+    flat = next(e for e in nodrag__claim__max_pi4.parts if isinstance(e, UniqueMaximum))
+    values = {sp.S.Zero: flat.args[3], sp.S.One: asin(special)}
     undefined = {sqrt(square.subs(HEIGHT_NAME, root)) for root in sp.solve(below, HEIGHT_NAME)}
     if undefined != set(values) or sign_by_ladder(1 - square * share**2, HEIGHT_NAME) < 0:
         raise DerivationError(

@@ -28,7 +28,8 @@ def equations(statement):
 
 
 def _definable(left, right):
-    named = isinstance(left, sp.Symbol | sp.Derivative) or _general(left)
+    of_unknown = isinstance(left, sp.Derivative) and left.has(AppliedUndef)
+    named = isinstance(left, sp.Symbol) or of_unknown or _general(left)
     return named and not sp.sympify(right).has(left)
 
 

@@ -12,7 +12,7 @@ from .beside import (
 from .boxes import box_of, compare_on, sign_by_ladder, sign_on, trig_box
 from .branches import all_preimages
 from .circles import Circle, read_circle, sine_maximum, trace_circle
-from .composition import compose_monotone
+from .composition import compose_monotone, inner_monotone
 from .continuity import (
     closed_at_end,
     continuous_inverse,
@@ -21,6 +21,7 @@ from .continuity import (
     limit_inside,
     limit_of_parts,
     limit_of_ratio,
+    slope_at_gap,
 )
 from .eliminate import eliminate, eliminate_angle
 from .entire_series import affine_series, divide_series, entire_series, renumber, times_sum, with_tail
@@ -98,6 +99,7 @@ __all__ = [
     "homogeneous",
     "implicit_derivative",
     "independent_sides",
+    "inner_monotone",
     "instantiate",
     "integrate_from_zero",
     "introduce",
@@ -142,6 +144,7 @@ __all__ = [
     "sign_on",
     "simplify_inside",
     "sine_maximum",
+    "slope_at_gap",
     "solve_linear_exponential",
     "solve_motion",
     "split_series",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from galileo_sym.ledger import DerivationError, StrictlyIncreasing, tactic
+from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
 
 from .signs import monotone
 
@@ -33,3 +33,33 @@ def compose_monotone(outer, inner):
             raise DerivationError(f"{g} is {value} at {x} = {end}, where {outer} says nothing")
     same = isinstance(outer, StrictlyIncreasing) == isinstance(inner, StrictlyIncreasing)
     return monotone(f.subs(n, g), x, interval, 1 if same else -1)
+
+
+@tactic
+def inner_monotone(claim, outer, inner, values):
+    """n(x) is strictly monotone if f(n(x)) is, and f where n takes its values.
+
+    Parameters
+    ----------
+    claim : StrictlyIncreasing or StrictlyDecreasing
+        Of f(n(x)).
+    outer : StrictlyIncreasing or StrictlyDecreasing
+        Of f.
+    inner : expression
+        n(x).
+    values : Interval
+        Where n(x) is known to lie.
+
+    Returns
+    -------
+    StrictlyIncreasing or StrictlyDecreasing
+        Of n(x): increasing if both have one direction.
+    """
+    both, x, interval = claim.args
+    f, n, known = outer.args
+    for told in (claim, outer):
+        if not isinstance(told, StrictlyIncreasing | StrictlyDecreasing):
+            raise DerivationError(f"{told} does not say that a function is monotone")
+    if both != f.subs(n, inner) or values.is_subset(known) is not True:
+        raise DerivationError(f"{claim} is not {outer} of {inner}, with values in {values}")
+    return monotone(inner, x, interval, 1 if isinstance(claim, type(outer)) else -1)

@@ -209,3 +209,24 @@ def closed_at_end(claim, continuous: Continuous):
     if f.subs(x, z) != g or whole.interior != inside.interior:
         raise DerivationError(f"{claim} and {continuous} are not about one function")
     return monotone(g, z, whole, 1 if isinstance(claim, StrictlyIncreasing) else -1)
+
+
+@tactic
+def slope_at_gap(slope: sp.Eq, function: Continuous, formula: Continuous, place) -> sp.Eq:
+    """The formula of a slope holds at a place that was left out, if function and formula are continuous there.
+
+    By the mean value theorem: difference quotients at the place are slopes near to it.
+
+    Parameters
+    ----------
+    slope : Eq
+        Eq(Derivative(f, x), formula), proved near the place.
+    function, formula : Continuous
+        Of f, and of the formula.
+    """
+    derivative = slope.lhs
+    for claim, told in ((function, derivative.expr), (formula, slope.rhs)):
+        f, x, interval = claim.args
+        if is_zero(f.subs(x, derivative.variables[0]) - told) is None or interval.interior.contains(place) != sp.true:
+            raise DerivationError(f"{claim} does not say that {told} is continuous at {place}")
+    return slope
