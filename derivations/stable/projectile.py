@@ -5,9 +5,8 @@ from sympy import Eq, Interval, Lt, Tuple, asin, cos, exp, pi, sin
 
 from galileo_sym.derivations.projectile.notation import R, alpha, g, k, notation, t, theta, theta_max, u, v, x, y
 from galileo_sym.ledger import POSITIVE, Chapter, DerivationError, Domain, step, tell_chapter
-from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.primitives import best_angle, best_sine, flight_factor, phi1, phi2, range_factor
-from galileo_sym.tactics import introduce
+from galileo_sym.tactics import introduce, isolate
 
 chapter = Chapter("stable.projectile", notation, "stable forms (not printed)")
 
@@ -33,11 +32,10 @@ def flight_free(nodrag__impact):
 
 @chapter.derive("stable.projectile.flight_time.drag", Eq(t, TIME * flight_factor(B)), DRAG)
 def flight_drag(impact__time, def__u):
-    """With b = -1 - u, W is taken out of the impact time by the factor at b."""
-    number = step("b", Eq(u, -1 - B)).rhs
-    if is_zero(def__u.rhs - number) is None:
-        raise DerivationError(f"u is {def__u.rhs}, not {number}")
-    return Eq(t, introduce(impact__time.of(t).subs(u, def__u.rhs), flight_factor(B)))
+    """W is taken out of the impact time by the factor at b = -1 - u."""
+    number = sp.expand(-1 - def__u.of(u))
+    step("b", Eq(u, -1 - number))
+    return Eq(t, introduce(impact__time.of(t).subs(u, def__u.of(u)), flight_factor(number)))
 
 
 @chapter.derive("stable.projectile.horizontal_range.free", Eq(R(theta), REACH), FREE)
@@ -74,15 +72,17 @@ def position_drag(drag__x, drag__y):
 
 @chapter.derive("stable.projectile.best_angle", Eq(theta_max, best_angle(alpha)), Domain({alpha: POSITIVE}))
 def angle_of_largest_range(support__unified_thm3, thm2__c):
-    """The sine of theta_max is best_sine(alpha), and theta_max < pi/4 is its arcsine: one form, alpha = 1 included."""
-    sine = support__unified_thm3.rhs
-    if is_zero(sine - best_sine(alpha).rewrite(sp.LambertW)) is None:
-        raise DerivationError(f"{sine} is not the closed form of best_sine")
-    if thm2__c.statement != Lt(theta_max, pi / 4):
-        raise DerivationError(f"{thm2__c.statement} does not say that theta_max is acute")
-    step("sine", Eq(sin(best_angle(alpha)), sine, evaluate=False))
-    step("arcsine", Eq(best_angle(alpha), asin(best_sine(alpha)), evaluate=False))
-    return Eq(theta_max, best_angle(alpha))
+    """W is taken out of the sine of theta_max by best_sine, alpha = 1 included; theta_max < pi/4 is its arcsine."""
+    sine = sp.Dummy("sine", positive=True)
+    bound = thm2__c.statement
+    if not (isinstance(bound, Lt) and bound.lhs == theta_max and bound.rhs <= pi / 2):
+        raise DerivationError(f"{bound} does not say that theta_max is acute")
+    named = introduce(support__unified_thm3.of(sin(theta_max)), best_sine(alpha))
+    step("sine", Eq(sin(theta_max), named))
+    obtuse = {pi - asin(sine): "theta_max is acute"}
+    angle = isolate(Eq(sin(theta_max), sine), theta_max, drop=obtuse).rhs.subs(sine, named)
+    step("arcsine", Eq(theta_max, angle))
+    return Eq(theta_max, angle.subs(best_angle(alpha).rewrite(asin), best_angle(alpha)))
 
 
 if __name__ == "__main__":

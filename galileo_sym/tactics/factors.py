@@ -18,7 +18,7 @@ def introduce(expr, factor, *, closed=sp.LambertW):
         As printed.
     factor : primitive at its argument, such as descent_factor(gamma*t0)
     closed : LambertW or exp
-        What the closed form of the primitive is linear in.
+        What the closed form of the primitive is solved for: it is linear in it, or has one solution.
 
     Raises
     ------
@@ -30,14 +30,23 @@ def introduce(expr, factor, *, closed=sp.LambertW):
     if len(hard) != 1:
         raise DerivationError(f"the closed form of {factor} has {len(hard)} times {closed.__name__}: {form}")
     inner = hard[0]
-    name = sp.Dummy("inner")
-    slope = form.xreplace({inner: name}).coeff(name)
-    rest = form.xreplace({inner: sp.S.Zero})
     targets = [a for a in expr.atoms(type(inner)) if _same(a, inner)]
     if not targets:
         raise DerivationError(f"{expr} has no {inner}")
-    put = (factor - rest) / slope
-    return sp.factor_terms(sp.expand(expr.xreplace(dict.fromkeys(targets, put))))
+    return sp.factor_terms(sp.expand(expr.xreplace(dict.fromkeys(targets, _solved(form, inner, factor)))))
+
+
+def _solved(form, inner, factor):
+    """What `inner` is, where the closed form has the value `factor`."""
+    name, value = sp.Dummy("inner", real=True), sp.Dummy("value", positive=True)
+    named = form.xreplace({inner: name})
+    slope = sp.diff(named, name)
+    if not slope.has(name):
+        return (factor - named.subs(name, 0)) / slope
+    roots = sp.solve(named - value, name)
+    if len(roots) != 1:
+        raise DerivationError(f"{form} has the value {factor} for {len(roots)} values of {inner}")
+    return roots[0].subs(value, factor)
 
 
 def _same(one, other):
