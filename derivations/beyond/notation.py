@@ -18,6 +18,9 @@ time = symbol("time", TIME, "time of flight to a slope, or from a hill", real=Tr
 reach = symbol("reach", LENGTH, "range along a slope, or from the foot of a hill", real=True)
 z = symbol("z", ONE, "g*t/v, the time as a pure number", real=True)
 rho = symbol("rho", ONE, "g*R/v**2, the range as a pure number", real=True)
+x_e = symbol("x_e", LENGTH, "abscissa of a point of the envelope of trajectories", positive=True)
+y_e = symbol("y_e", LENGTH, "height of a point of the envelope of trajectories", real=True)
+part = symbol("part", ONE, "sine of an elevation over that of the trajectory that touches", positive=True)
 
 X = function("X", ONE, "g*x/v**2, the abscissa as a pure number")
 Y = function("Y", ONE, "g*y/v**2, the height as a pure number")

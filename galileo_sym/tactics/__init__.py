@@ -45,6 +45,7 @@ from .linear_exponential import (
 from .ode import at_rest, integrate_from_zero, solve_motion, start_of
 from .order import same_order
 from .rescale import rescale
+from .resultants import eliminate_one
 from .reversion import revert_minimum, taylor
 from .roots import (
     above_limit,
@@ -91,6 +92,7 @@ __all__ = [
     "elementary_limit",
     "eliminate",
     "eliminate_angle",
+    "eliminate_one",
     "entire_series",
     "even_at_extremum",
     "extremum_between",

@@ -40,10 +40,11 @@ def eliminate(equations, variables, keep, spurious=None) -> sp.Eq:
     left = [p for p in basis.exprs if not p.has(*variables)]
     if len(left) != 1:
         raise DerivationError(f"{len(left)} equations are left between {keep}: {left}")
-    return sp.Eq(_strip(left[0], keep, spurious or {}), 0, evaluate=False)
+    return sp.Eq(without_spurious(left[0], keep, spurious or {}), 0, evaluate=False)
 
 
-def _strip(polynomial, keep, spurious):
+def without_spurious(polynomial, keep, spurious):
+    """The one factor of a polynomial in `keep` that is left when those named in `spurious` are removed."""
     _, factors = sp.factor_list(polynomial, *keep)
     unused = dict(spurious)
     kept = []
