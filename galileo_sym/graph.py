@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from importlib.util import find_spec
-from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -17,7 +16,7 @@ COLOURS = {
     None: "#ffffff",  # named as a premise only
 }
 FAILED = "#f2a0a0"
-ROW, COLUMN, WIDTH, HEIGHT = 22, 290, 230, 16  # pixels: distances of boxes, and their size
+ROW, COLUMN, WIDTH, HEIGHT = 22, 330, 265, 16  # pixels: distances of boxes, and their size
 
 
 def grounds(rows: list[dict]) -> dict[str, list[str]]:
@@ -75,13 +74,13 @@ def svg(rows: list[dict]) -> bytes:
 
     Needs the package igraph, which comes with ``galileo-sym[all]``.
     """
-    places, paths = _layout(rows)
+    places, links = _layout(rows)
     right, down = (max(p[n] for p in places.values()) for n in (0, 1))
     size = {"width": str(right + WIDTH + 40), "height": str(down + HEIGHT + 40)}
     root = ET.Element("svg", {"xmlns": "http://www.w3.org/2000/svg", **size, "font-family": "sans-serif"})
     ET.SubElement(root, "title").text = "What is derived from what"
-    for path in paths:
-        ET.SubElement(root, "path", {"d": _curve(path), "fill": "none", "stroke": "#8899aa", "stroke-width": "0.7"})
+    for link in links:
+        ET.SubElement(root, "path", {"d": _curve(*link), "fill": "none", "stroke": "#8899aa", "stroke-width": "0.7"})
     known = {row["id"]: row for row in rows}
     for identifier, (x, y) in places.items():
         _box(root, identifier, known.get(identifier), x, y)
@@ -89,37 +88,34 @@ def svg(rows: list[dict]) -> bytes:
 
 
 def _layout(rows):
-    """The corner of each box, and the points along each edge: one for every column that it crosses."""
+    """The corner of each box, and the links: from where to where, one for each column that they cross.
+
+    Whatever is derived from a premise hangs on one line from it, which runs on from column to column.
+    """
     from igraph import Graph  # here: only a drawing needs it
 
     level = levels(rows)
     index = {identifier: n for n, identifier in enumerate(level)}
-    layers, chains = list(level.values()), []
-    for row in rows:
-        for premise in row["premises"]:
-            between = range(level[premise] + 1, level[row["id"]])
-            chains.append([index[premise], *range(len(layers), len(layers) + len(between)), index[row["id"]]])
-            layers += between
-    edges = [edge for chain in chains for edge in pairwise(chain)]
-    spots = Graph(len(layers), edges, directed=True).layout_sugiyama(layers=layers, hgap=1, vgap=1, maxiter=500)
+    layers = list(level.values())
+    line = {i: [n] for i, n in index.items()}  # the premise, and the spots its line passes, by column
+    edges = []
+    for premise, row in sorted(((p, r["id"]) for r in rows for p in r["premises"]), key=lambda e: level[e[1]]):
+        while len(line[premise]) < level[row] - level[premise]:
+            layers.append(level[premise] + len(line[premise]))
+            edges.append((line[premise][-1], len(layers) - 1))
+            line[premise].append(len(layers) - 1)
+        edges.append((line[premise][-1], index[row]))
+    spots = Graph(len(layers), edges, directed=True).layout_sugiyama(layers=layers, hgap=1, vgap=1, maxiter=1000)
     top = min(along for along, _ in spots)
     points = [(round(20 + layer * COLUMN, 1), round(20 + (along - top) * ROW, 1)) for along, layer in spots]
-    return {i: points[n] for i, n in index.items()}, [[points[n] for n in chain] for chain in chains]
+    return {i: points[n] for i, n in index.items()}, [(points[a], points[b], b >= len(level)) for a, b in edges]
 
 
-def _curve(points):
-    """A smooth path from the right side of the first box to the left side of the last."""
-    middle = [(x, y + HEIGHT / 2) for x, y in points]
-    x, y = middle[0][0] + WIDTH, middle[0][1]
-    parts = [f"M{x},{y}"]
-    for number, (left, level) in enumerate(middle[1:], 1):
-        half = (x + left) / 2
-        parts.append(f"C{half},{y} {half},{level} {left},{level}")
-        x, y = left, level
-        if number < len(middle) - 1:  # past the column that it crosses
-            x += WIDTH
-            parts.append(f"H{x}")
-    return " ".join(parts)
+def _curve(start, end, runs_on):
+    """A smooth path from the right side of one spot to the left side of the next, or past it if the line runs on."""
+    (x, y), (left, level) = ((px, py + HEIGHT / 2) for px, py in (start, end))
+    half = (x + WIDTH + left) / 2
+    return f"M{x + WIDTH},{y} C{half},{y} {half},{level} {left},{level}" + (f" H{left + WIDTH}" if runs_on else "")
 
 
 def _box(root, identifier, row, x, y):
@@ -128,7 +124,7 @@ def _box(root, identifier, row, x, y):
     ET.SubElement(group, "title").text = f"{identifier}: {row['label']}; {verdict}" if row else identifier
     shape = {"x": str(x), "y": str(y), "width": str(WIDTH), "height": str(HEIGHT), "rx": "3"}
     ET.SubElement(group, "rect", {**shape, "fill": _colour(verdict), "stroke": "#556677", "stroke-width": "0.6"})
-    ET.SubElement(group, "text", {"x": str(x + 5), "y": str(y + 12), "font-size": "11"}).text = identifier
+    ET.SubElement(group, "text", {"x": str(x + 5), "y": str(y + 12), "font-size": "10"}).text = identifier
 
 
 def write(rows: list[dict], folder) -> list[str]:
