@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy.core.relational import Relational
 
-from .predicates import Claim, spread
+from .predicates import FIRST, SECOND, Claim, spread
 
 STEP = sp.Rational(1, 10**40)  # between places whose values must be near each other
 NEAR = sp.Rational(1, 10**12)
@@ -16,13 +16,11 @@ class Continuous(Claim):
 
     def trials(self):
         f, x, interval = self.args
-        found = []
-        for place in (*spread(interval), *_seams(f, x, interval)):
-            for aside in (STEP, -STEP):
-                if interval.contains(place + aside) == sp.true:
-                    here, beside = f.subs(x, place), f.subs(x, place + aside)
-                    found.append((sp.Lt(sp.Abs(beside - here), NEAR * (1 + sp.Abs(here)), evaluate=False), {}))
-        return found
+        here, beside = f.subs(x, FIRST), f.subs(x, SECOND)
+        near = sp.Lt((beside - here) ** 2, NEAR**2 * (1 + here**2), evaluate=False)
+        places = [*spread(interval), *_seams(f, x, interval)]
+        pairs = [(place, place + aside) for place in places for aside in (STEP, -STEP)]
+        return [(near, {FIRST: a, SECOND: b}) for a, b in pairs if interval.contains(b) == sp.true]
 
 
 def _seams(f, x, interval):
