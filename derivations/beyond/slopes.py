@@ -52,7 +52,7 @@ ABOVE = g / k**2 * (-k * t - u + u * exp(-k * t))
 
 @chapter.derive(
     "beyond.slopes.height",
-    And(Eq(u, -1 - k * v / g * (sin(theta) - cos(theta) * tan(beta))), Eq(y(t) - x(t) * tan(beta), ABOVE)),
+    And(Eq(u, -1 - k * v / g * (sin(theta) - cos(theta) * tan(beta))), Eq(y(t), x(t) * tan(beta) + ABOVE)),
     Domain({**SHOT, t: NONNEGATIVE}),
 )
 def height(drag__x, drag__y):
@@ -62,8 +62,8 @@ def height(drag__x, drag__y):
     value = above.coeff(power)
     sine = isolate(Eq(u, value, evaluate=False), sin(theta)).rhs
     rest = sp.expand((above - value * power).subs(sin(theta), sine))
-    found = g / k**2 * (rest + u * power)
-    return And(Eq(u, value), Eq(y(t) - x(t) * tan(beta), found, evaluate=False))
+    found = x(t) * tan(beta) + g / k**2 * (rest + u * power)
+    return And(Eq(u, value), Eq(y(t), found, evaluate=False))
 
 
 def _turned(climb):
@@ -94,7 +94,7 @@ def below_minus_1(beyond__slopes__height):
 @chapter.derive("beyond.slopes.time", Eq(time, TIME), Domain(SHOT, where={**PUT, t: LANDED}))
 def landing(beyond__slopes__height, res3, claim__domain_W):
     """On the slope the height above it is 0: result (3) with a = -k, b = -u, c = u, d = -k."""
-    above = next(e.rhs for e in beyond__slopes__height.parts if e.has(exp))
+    above = beyond__slopes__height.of(y(t)) - x(t) * tan(beta)
     equation = step("the slope is hit", Eq(sp.expand(above * k**2 / g), 0, evaluate=False))
     for name, value in read_coefficients(equation, t).items():
         step(f"coefficient {name}", Eq(notation.symbols[name], value))
@@ -112,7 +112,7 @@ def branch(beyond__slopes__height, beyond__slopes__u, beyond__slopes__time, beyo
     """u < -1: the root by W_{-1} is the launch, that by W is positive, and there is no other."""
     if Lt(u, -1) not in beyond__slopes__u.parts:
         raise DerivationError(f"{beyond__slopes__u.statement} does not say that u < -1")
-    above = next(e.rhs for e in beyond__slopes__height.parts if e.has(exp))
+    above = beyond__slopes__height.of(y(t)) - x(t) * tan(beta)
     same, after = sorted(beyond__real_roots__impact.parts, key=lambda e: isinstance(e, Gt))
     zero, roots = sorted(same.args, key=lambda e: isinstance(e, Or))
     factor = sp.simplify(above / zero.lhs)
