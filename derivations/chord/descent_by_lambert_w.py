@@ -39,6 +39,9 @@ FALLING = Interval(-oo, -1)
 RISING = Interval(-1, oo)
 BOTH_SIDES = Domain({w: sp.Union(FALLING, RISING, evaluate=False)})  # so that w = -1, where F is least, is tried
 
+ROOTS = (sp.FiniteSet(LambertW(q)), sp.FiniteSet(LambertW(q, -1)))
+ANY_OR_A_ROOT = sp.Union(*ROOTS, REAL, evaluate=False)  # so that both roots are tried
+
 ONLY_LIMIT = Erratum(
     ("C7",),
     "the paper chooses W_0 by the limit gamma -> 0 only; it is right for every gamma > 0 (for gamma < 0 it is W_(-1))",
@@ -93,7 +96,7 @@ chapter.given(
 chapter.given(
     "chord.eq35",
     sp.Equivalent(Eq(w * exp(w), q), Or(Eq(w, LambertW(q)), Eq(w, LambertW(q, -1)))),
-    Domain({q: Interval.Ropen(-exp(-1), 0), w: REAL}),
+    Domain({q: Interval.Ropen(-exp(-1), 0), w: ANY_OR_A_ROOT}),
     premises=("chord.eq34", "chord.claim.W-branches"),
     erratum=Erratum(("C9",), "multivalued as printed: W_0 for w >= -1 (q >= -1/e), W_(-1) for w <= -1 (-1/e <= q < 0)"),
 )

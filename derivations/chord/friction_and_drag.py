@@ -1,7 +1,7 @@
 """Section 5: sliding friction and linear drag together, equations (40) to (49)."""
 
 import sympy as sp
-from sympy import Abs, And, Eq, Interval, LambertW, atan, cos, exp, sin, sqrt, tan
+from sympy import Abs, And, Eq, Implies, Interval, LambertW, atan, cos, exp, sin, sqrt, tan
 
 from galileo_sym.derivations.chord.notation import (
     D,
@@ -252,16 +252,22 @@ def rescaled(eq44, eq46, eq47, eq48):
 
 @chapter.derive(
     "chord.claim.same-rescaled-curve",
-    And(Eq((xt + mu) ** 2 + (yt - 1) ** 2, 1 + mu**2), Eq((xt - mu) ** 2 + (yt - 1) ** 2, 1 + mu**2)),
-    Domain({mu: POSITIVE, theta: sp.FiniteSet(LAST)}, where={xt: sp.S.Zero, yt: sp.S.Zero}),
+    And(
+        Implies(Eq(sigma, 1), Eq((xt + mu) ** 2 + (yt - 1) ** 2, 1 + mu**2), evaluate=False),
+        Implies(Eq(sigma, -1), Eq((xt - mu) ** 2 + (yt - 1) ** 2, 1 + mu**2), evaluate=False),
+        evaluate=False,
+    ),
+    Domain(BEADS.ranges, where={xt: X_OF / Y(t), yt: Y_OF / Y(t), Y(t): FALLEN / 2}),
 )
 def same_curve(eq49, eq26, eq27):
-    """(49) is (26) for sigma = 1 and (27) for sigma = -1."""
-    pair = [eq49.equation.subs(sigma, side) for side in (1, -1)]
-    for mine, theirs in zip(pair, (eq26, eq27), strict=True):
+    """(49) is (26) on the right, where sigma = 1, and (27) on the left."""
+    said = []
+    for side, theirs in ((1, eq26), (-1, eq27)):
+        mine = eq49.equation.subs(sigma, side)
         if sp.expand((mine.lhs - mine.rhs) - (theirs.lhs - theirs.rhs)) != 0:
             raise DerivationError(f"{mine} is not {theirs.id}")
-    return And(*pair)
+        said.append(Implies(Eq(sigma, side), mine, evaluate=False))
+    return And(*said, evaluate=False)
 
 
 if __name__ == "__main__":

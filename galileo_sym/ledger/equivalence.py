@@ -9,7 +9,7 @@ from sympy.logic.boolalg import Boolean
 from .predicates import Claim
 
 _UNORDERED = (sp.And, sp.Or, sp.Equivalent)
-_ORDERED = (sp.StrictGreaterThan, sp.GreaterThan, sp.StrictLessThan, sp.LessThan)
+ORDERED = (sp.StrictGreaterThan, sp.GreaterThan, sp.StrictLessThan, sp.LessThan)
 
 
 def equivalent(one, other) -> str | None:
@@ -80,9 +80,9 @@ def _claims(one, other):
 
 
 def _in_any_order(one, other):
-    left = list(other.args)
-    ways = []
-    for part in one.args:
+    left = [part for part in other.args if part not in one.args]
+    ways = ["identical"]
+    for part in (p for p in one.args if p not in other.args):
         for candidate in left:
             way = _same_thing(part, candidate)
             if way is not None:
@@ -99,7 +99,7 @@ def _relations(one, other):
         return _equations(one, other)
     if isinstance(one, sp.Ne) and isinstance(other, sp.Ne):
         return _equations(sp.Eq(*one.args, evaluate=False), sp.Eq(*other.args, evaluate=False))
-    if isinstance(one, _ORDERED) and isinstance(other, _ORDERED):
+    if isinstance(one, ORDERED) and isinstance(other, ORDERED):
         return _inequalities(one, other)
     return None
 

@@ -1,0 +1,65 @@
+"""Conjunctions that differ in one part, and inequalities that differ in their bound."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from .check import digits
+from .environment import definitions, equations, resolve
+from .equivalence import ORDERED, equivalent, is_zero
+from .verdict import Kind
+
+STRICT = (sp.StrictGreaterThan, sp.StrictLessThan)
+
+
+def part_by_part(derived, other, declaration) -> tuple | None:
+    """Kind, method and counterexample where two statements, true both, differ in one part; None if that says nothing.
+
+    An inequality bounds a quantity, and is another statement than one that bounds it elsewhere, though both be true: a
+    value between the bounds tells them apart.
+    """
+    shared, mine, theirs = _differing(derived, other)
+    if mine is None:
+        return None
+    apart = _between_bounds(mine, theirs, declaration)
+    if apart is not None:
+        return apart
+    put = definitions(sp.And(*shared, evaluate=False))
+    if _follows(mine, put, declaration.domain) and _follows(theirs, put, declaration.domain):
+        return Kind.PROVED, "they differ in what follows from the parts they share", None
+    return None
+
+
+def _differing(derived, other):
+    """The parts that two conjunctions share, and the one part of each that the other has not."""
+    ours, rest = [list(s.args) if isinstance(s, sp.And) else [s] for s in (derived, other)]
+    shared, alone = [], []
+    for part in ours:
+        twin = next((r for r in rest if equivalent(part, r)), None)
+        if twin is None:
+            alone.append(part)
+        else:
+            shared.append(part)
+            rest.remove(twin)
+    return (shared, alone[0], rest[0]) if len(alone) == len(rest) == 1 else (shared, None, None)
+
+
+def _between_bounds(mine, theirs, declaration):
+    if not (isinstance(mine, ORDERED) and isinstance(theirs, ORDERED)):
+        return None
+    room = sp.simplify((theirs.gts - theirs.lts) - (mine.gts - mine.lts))
+    if not room.is_number or (room == 0 and isinstance(mine, STRICT) == isinstance(theirs, STRICT)):
+        return None
+    looser = room > 0 or (room == 0 and isinstance(mine, STRICT))
+    who = ("other", "derived") if looser else ("derived", "other")
+    point = declaration.domain.points(1, declaration.id)[0]
+    excess = mine.gts - mine.lts
+    shown = {str(s): digits(v) for s, v in point.items() if s in excess.free_symbols}
+    method = f"as bounds: the {who[0]} one allows this value, the {who[1]} one does not"
+    return Kind.REFUTED, method, {**shown, str(excess): digits(-room / 2)}
+
+
+def _follows(part, put, domain):
+    """Whether an equation becomes an identity with something put in."""
+    pairs = list(equations(resolve(part, put, frozenset(domain.ranges))))
+    return bool(pairs) and all(is_zero(a - b) is not None for a, b in pairs)
