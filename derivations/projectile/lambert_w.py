@@ -76,6 +76,7 @@ chapter.given(
     ),
     Domain({q: Interval.Ropen(BRANCH_POINT, 0)}),
     premises=("projectile.claim.T-monotone",),
+    erratum=Erratum(("S18",), "Corless et al. is reference [3] of the list, not [2]"),
 )
 
 

@@ -81,7 +81,7 @@ TRIAL = {
 class StationaryAngle(sp.Function):
     """The elevation at which tan(theta)**2 + dy/du is 0, as a number for trials: a root search, not Theorem 3.
 
-    Argument: alpha > 0. The root lies between 1/(4 + 4 alpha) and pi/4.
+    Argument: alpha > 0. The root lies between 1/(4 + 4 alpha) and pi/4, and below (4 + 2 log(1 + alpha))/alpha.
     """
 
     nargs = 1
@@ -113,9 +113,9 @@ def _stationary_angle(a, digits):
         return mp.log(mp.tan(angle) ** 2) - mp.log(a * mp.sin(angle) * inverse / ((inverse + 1) * at))
 
     lost = 3 * max(0, -int(mp.log10(a)))  # y + 1 loses twice the digits that alpha is below 1
-    with mp.workdps(80 + lost):
-        ends = mp.log(1 / (4 + 4 * a)), mp.log(mp.pi / 4)
-        near = mp.findroot(condition, ends, solver="anderson", tol=mp.mpf(10) ** -60, maxsteps=200)
+    with mp.workdps(50 + lost):
+        ends = mp.log(1 / (4 + 4 * a)), mp.log(min(mp.pi / 4, (4 + 2 * mp.log(1 + a)) / a))
+        near = mp.findroot(condition, ends, solver="anderson", tol=mp.mpf(10) ** -50, maxsteps=200)
     with mp.workdps(2 * digits + 40 + lost):
         pair = near, near * (1 + mp.mpf(10) ** -20)
         return mp.exp(mp.findroot(condition, pair, solver="secant", tol=mp.mpf(10) ** -(digits + 10)))

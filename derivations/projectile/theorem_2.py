@@ -103,7 +103,11 @@ def limit_at_0(lemma__c__slope_limit, def__uyR):
     "projectile.thm2.limit-pi2",
     Eq(Limit(FACTOR, theta, pi / 2, "-"), sp.oo),
     ANGLES,
-    erratum=Erratum(("S10",), "the limit is from below, theta -> pi/2-; pi/2+ is outside the domain"),
+    erratum=Erratum(
+        ("S10",),
+        "the limit is from below, theta -> pi/2-; pi/2+ is outside the domain. The sentence 'Since tan^2 is also "
+        "increasing ...' stands twice",
+    ),
 )
 def limit_at_right_angle(lemma__c):
     """dy/du is bounded, and tan^2 is not."""
