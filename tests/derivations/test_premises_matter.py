@@ -40,6 +40,7 @@ SIGN_ALONE = {
     ("projectile.thm2.stationary", "projectile.lemma.f.second"): partial(scaled, name="k"),
     ("projectile.thm2.stationary", "projectile.thm2.limit-0"): opposite,
     ("projectile.thm2.b", "projectile.lemma.f.second"): opposite,
+    ("beyond.pure-flight.best-angle", "beyond.pure-flight.independent"): opposite,
 }
 INVARIANT = {**CENTRE_ALONE, **ROOT_ALONE, **SIGN_ALONE}
 
