@@ -5,7 +5,7 @@ y - x_0 = -X e^(b X/N - W(z)), z = -(b/N) X e^(b X/N); derivations know nothing 
 """
 
 import sympy as sp
-from sympy import Eq, Ge, Interval, Ne, Sum, exp
+from sympy import Eq, Ge, Interval, Lt, Ne, Sum, exp
 
 from galileo_sym.ledger import ONE, REAL, Notation
 from galileo_sym.ledger.local import AllZero, LocalExtremum
@@ -36,9 +36,10 @@ LEADS = Ne(a(N), 0)
 EXTREMUM = LocalExtremum(f(x), x, x_0)
 ROUND_TRIP, VALUES = Eq(f(g(q)), q), Ge(g(q), x_0)
 REFLECTED = Eq(y(x), g(f(x)))
+LEFT = Lt(x, x_0)
 
 ANALYTIC = (SERIES, GAP, LEADS)
-INVERSE = (ROUND_TRIP, VALUES, REFLECTED)
+INVERSE = (LEFT, ROUND_TRIP, VALUES, REFLECTED)
 
 LEVEL, QUARTER = sp.Rational(2, 3), sp.Rational(1, 4)
 _ROOT = ((q - LEVEL) / lead) ** (1 / N)

@@ -12,6 +12,7 @@ from galileo_sym.derivations.projectile.analytic_notation import (
     INVERSE,
     INVERSE_FAMILY,
     LEADS,
+    LEFT,
     LEFT_OF_IT,
     QUARTER,
     REFLECTED,
@@ -131,8 +132,15 @@ def ratio(thm1__factor):
 def root(thm1__ratio, thm1__N_even):
     """N is even, and y >= x_0 > x: the real N-th root of the ratio is the negative one."""
     even = modus_ponens(thm1__N_even.statement, (EXTREMUM,))
-    step("x and y are on either side", sp.Le(TURN, 0))
-    return negative_root(thm1__ratio.equation, TURN, N, even)
+    above = step("y is not below x_0", VALUES.subs(q, f(x)).subs(REFLECTED.rhs, REFLECTED.lhs))
+    sides = {
+        above.lhs: above.rhs + sp.Dummy("up", nonnegative=True),
+        LEFT.lhs: LEFT.rhs - sp.Dummy("down", positive=True),
+    }
+    if not TURN.subs(sides, simultaneous=True).is_nonpositive:
+        raise DerivationError(f"{above} and {LEFT} do not say that {TURN} is not positive")
+    opposite = step("x and y are on either side", sp.Le(TURN, 0))
+    return negative_root(thm1__ratio.equation, N, even, opposite)
 
 
 @chapter.derive(

@@ -66,7 +66,7 @@ LEVEL = Domain({**SHOT, theta: sp.FiniteSet(0), u: sp.FiniteSet(-1)}, where=TRIA
 SPEEDS = {g: POSITIVE, v: POSITIVE}
 
 
-@chapter.derive("projectile.thm1.cor", COROLLARY, Domain({w: Interval(-sp.Rational(3, 2), -sp.Rational(1, 2))}))
+@chapter.derive("projectile.thm1.cor", COROLLARY, Domain({w: Interval.Ropen(-sp.Rational(3, 2), -1)}))
 def corollary(thm1, def__T, claim__T_monotone, def__W):
     """Theorem 1 for T about -1, where it has an extremum: there N = 2."""
     body = def__T.of(T(w))
@@ -87,6 +87,7 @@ def corollary(thm1, def__T, claim__T_monotone, def__W):
     round_trip = next(e for e in def__W.parts if isinstance(e, Eq) and e.lhs == T(values.lhs))
     known = (
         step("the Taylor series of an entire function", series),
+        step("the limit is from the left", sp.Lt(w, place)),
         said_of(round_trip, {T(w): body}, {}),
         values,
         extremum,
@@ -104,7 +105,9 @@ def _plain(hypothesis):
     if isinstance(hypothesis, theorem.AllZero):
         term, index, first, last = hypothesis.args
         return all(term.subs(index, n) == 0 for n in range(first, last + 1))
-    return isinstance(hypothesis, Eq | sp.Ne) and hypothesis.doit() == sp.true
+    if isinstance(hypothesis, sp.Ne):
+        return bool((hypothesis.lhs - hypothesis.rhs).is_nonzero)
+    return isinstance(hypothesis, Eq) and hypothesis.lhs == hypothesis.rhs
 
 
 @chapter.derive("beyond.thm1.cor-by-parameter", COROLLARY, Domain({}))

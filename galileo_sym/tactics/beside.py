@@ -93,8 +93,7 @@ def monotone_beside(f, x, slope, order, near: NearValue):
     """
     power = (x - near.place) ** (order - 1)
     growth = sp.expand(sp.powsimp(sp.expand(slope / power)))
-    held = sp.expand(growth.subs(near.function(x), near.value)).subs(x - near.place, 0)
-    at_place = sp.simplify(_at(held, x, near.place))
+    at_place = sp.simplify(_at_place(growth, x, near))
     if not at_place.xreplace({near.value: near.name}).is_nonzero:
         raise DerivationError(f"{growth} may vanish at {near.place}")
     claims = []
@@ -108,26 +107,29 @@ def monotone_beside(f, x, slope, order, near: NearValue):
     return tuple(claims)
 
 
-def _at(expr, x, place):
-    """The value at a place, derivatives of unknown functions being finite there."""
+def _at_place(expr, x, near):
+    """The value at the place, derivatives of the unknown function being finite there."""
     finite = {d: sp.Dummy("finite", real=True) for d in expr.atoms(sp.Derivative)}
-    return expr.xreplace(finite).subs(x, place)
+    return expr.xreplace(finite).xreplace({near.function(x): near.value}).subs(x, near.place)
 
 
 @tactic
-def negative_root(equation: sp.Eq, base, order, even: sp.Eq) -> sp.Eq:
+def negative_root(equation: sp.Eq, order, even: sp.Eq, sign: sp.Le) -> sp.Eq:
     """From base^order = Q with an even order and base <= 0: base = -Q^(1/order).
 
     Parameters
     ----------
     equation : Eq
-        Its left side is base^order, with `base` a quotient or not.
+        Its left side is base^order, with the base of `sign`, a quotient or not.
     even : Eq
         Eq(Mod(order, 2), 0), proved.
+    sign : Le
+        Le(base, 0), proved.
     """
+    base = sign.lhs
     size, half = sp.Dummy("size", nonnegative=True), sp.Dummy("half", integer=True, positive=True)
-    if even != sp.Eq(sp.Mod(order, 2), 0):
-        raise DerivationError(f"{even} does not say that {order} is even")
+    if even != sp.Eq(sp.Mod(order, 2), 0) or not isinstance(sign, sp.LessThan) or sign.rhs != 0:
+        raise DerivationError(f"{even} and {sign} do not say that {order} is even and {base} not positive")
     if sp.powsimp(sp.expand_power_base(base**order) / equation.lhs) != 1:
         raise DerivationError(f"the left side of {equation} is not {base} to the power {order}")
     if ((-size) ** (2 * half)) ** (1 / (2 * half)) != size:

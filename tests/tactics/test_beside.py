@@ -113,7 +113,8 @@ def test_monotone_on_both_sides():
     right, left = monotone_beside(f(x), x, slope, N, NEAR)
     assert right == MonotoneBeside(f(x), x, x_0, 1, a(N))
     assert left == MonotoneBeside(f(x), x, x_0, -1, (-1) ** (N - 1) * a(N))
-    for wrong in (slope - N * X ** (N - 1) * F(x), sp.diff(X ** (N - 2) * F(x), x), -slope):
+    growth = X ** (N - 1) * F(x).diff(x)
+    for wrong in (slope - N * X ** (N - 1) * F(x), sp.diff(X ** (N - 2) * F(x), x), -slope, slope + growth):
         with pytest.raises(DerivationError):
             monotone_beside(f(x), x, wrong, N, NEAR)
 
@@ -121,11 +122,17 @@ def test_monotone_on_both_sides():
 def test_the_root_of_an_even_power():
     even = Eq(Mod(N, 2), 0)
     turn = (y(x) - x_0) / X
-    power = Eq((y(x) - x_0) ** N / X**N, p)
-    assert negative_root(power, turn, N, even) == Eq(turn, -(p ** (1 / N)))
-    for equation, parity in ((power, Eq(Mod(N, 2), 1)), (power, ~even), (Eq(2 * power.lhs, p), even)):
+    power, below = Eq((y(x) - x_0) ** N / X**N, p), sp.Le(turn, 0)
+    assert negative_root(power, N, even, below) == Eq(turn, -(p ** (1 / N)))
+    for equation, parity, sign in (
+        (power, Eq(Mod(N, 2), 1), below),
+        (power, ~even, below),
+        (power, even, sp.Ge(turn, 0)),
+        (power, even, sp.Le(turn, 1)),
+        (Eq(2 * power.lhs, p), even, below),
+    ):
         with pytest.raises(DerivationError):
-            negative_root(equation, turn, N, parity)
+            negative_root(equation, N, parity, sign)
 
 
 def test_the_inverse_to_the_right():
