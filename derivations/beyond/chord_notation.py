@@ -13,6 +13,7 @@ push = symbol("push", 1 / TIME, "a drag that pushes: -gamma", positive=True)
 j = symbol("j", ONE, "gamma times a root of (30)", real=True)
 z = symbol("z", ONE, "t/sqrt(2*D/g), the time as a pure number", nonnegative=True)
 tau_AB = symbol("tau_AB", ONE, "t_AB/sqrt(2*D/g), the descent time as a pure number", positive=True)
+order = symbol("order", ONE, "order of a term of a Taylor series", integer=True, nonnegative=True)
 p_n = symbol("p_n", ONE, "gamma times the descent time with friction and without drag", positive=True)
 
 s_back = function("s_back", LENGTH, "distance from A so long before the release, under the same law")

@@ -134,13 +134,14 @@ def touches(
     if is_zero(of_envelope + cosine / sine) is None:
         raise DerivationError(f"the envelope has the slope {of_envelope}, not {-cosine / sine}")
     turn = (sp.diff(of_envelope, decay) + sp.diff(of_envelope, place) * forward) / forward * k / v
-    path = sp.diff(beyond__envelope__path.rhs.subs(x(t), x_e), x_e, 2).subs({x_e: place * v / k, cos(theta): cosine})
+    told = beyond__envelope__path.rhs.subs(x(t), x_e)
+    path = sp.diff(told, x_e, 2).subs({x_e: place * v / k, cos(theta): cosine})
     over, under = sp.fraction(sp.together((turn - path).subs(v, alpha * g / k)))
     bend = sp.factor(sp.rem(sp.expand(over), place**2 - square, place)) / sp.factor(under)
     envelope = beyond__envelope__explicit.of(y_e)
-    apart = Derivative(envelope, (x_e, 2)) - Derivative(PATH, (x_e, 2))
+    apart = Derivative(envelope, (x_e, 2)) - Derivative(told, (x_e, 2))
     return And(
-        Eq(Derivative(PATH, x_e), of_path),
+        Eq(Derivative(told, x_e), of_path),
         Eq(Derivative(envelope, x_e), of_path),
         (Gt if sign_on(bend, {decay: INSIDE}) > 0 else Lt)(apart, 0, evaluate=False),
     )

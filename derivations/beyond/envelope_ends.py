@@ -83,11 +83,11 @@ def ground(beyond__envelope__parametric, beyond__envelope__condition, support__k
     Eq(Limit(HEIGHT, x_e, 0, "+"), g / k**2 * (alpha - log(1 + alpha))),
     Domain({**SHOT}, where={alpha: k * v / g}),
 )
-def foot(beyond__envelope__explicit, drag__y, drag__vy, def__alpha):
+def foot(beyond__envelope__explicit, drag__y, def__alpha):
     """Above the launch it is as high as a vertical shot comes, where the velocity is 0."""
-    upwards, speed = {theta: pi / 2}, sp.Dummy("decay", positive=True)
-    decay = isolate(Eq(drag__vy.rhs.subs(upwards).subs(exp(-k * t), speed), 0, evaluate=False), speed).rhs
-    top = drag__y.rhs.subs(upwards).subs(exp(-k * t), speed).subs(t, -log(speed) / k).subs(speed, decay)
+    height, left = drag__y.rhs.subs(theta, pi / 2), sp.Dummy("left", positive=True)
+    at_rest = Eq(sp.diff(height, t).subs(exp(-k * t), left), 0, evaluate=False)
+    top = height.subs(exp(-k * t), left).subs(t, -log(left) / k).subs(left, isolate(at_rest, left).rhs)
     limit = beyond__envelope__explicit.of(y_e).subs(x_e, 0)
     difference = (top - limit).subs(v, isolate(def__alpha.equation, v).rhs)
     if sp.simplify(sp.expand_log(sp.simplify(difference), force=True)) != 0:

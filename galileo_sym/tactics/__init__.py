@@ -42,6 +42,7 @@ from .linear_exponential import (
     simplify_inside,
     solve_linear_exponential,
 )
+from .motion_series import sum_of_series, taylor_of_motion
 from .ode import at_rest, integrate_from_zero, solve_motion, start_of
 from .order import same_order
 from .rescale import rescale
@@ -152,9 +153,11 @@ __all__ = [
     "split_series",
     "start_of",
     "substitute",
+    "sum_of_series",
     "take_out",
     "taylor",
     "taylor_coefficient",
+    "taylor_of_motion",
     "times_sum",
     "trace_circle",
     "trig_box",
