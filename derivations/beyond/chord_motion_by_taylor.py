@@ -39,8 +39,6 @@ def by_series(law, setup):
 for name, law, path, ranges in MOTIONS:
     printed, premises = Eq(s(t), path), (law, "chord.setup")
     chapter.derive(f"beyond.taylor.chord.{name}", printed, Domain(ranges), premises=premises)(by_series)
-        by_series
-    )
 
 
 if __name__ == "__main__":

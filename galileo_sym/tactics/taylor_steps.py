@@ -53,9 +53,8 @@ def taylor_integrate(equation: sp.Eq, unknown, start: dict, values: dict, times,
     numbers = [sp.sympify(e).subs(values) for e in (*law.coefficients, law.level, *begin)]
     if any(not n.is_number for n in numbers):
         raise DerivationError(f"{sorted(set().union(*(n.free_symbols for n in numbers)), key=str)} have no value")
-    speed = float(
-        max((law.order * abs(a)) ** sp.Rational(1, law.order - j) for j, a in enumerate(numbers[: law.order]))
-    )
+    m = law.order
+    speed = float(max((m * abs(a)) ** sp.Rational(1, m - j) for j, a in enumerate(numbers[:m])))
     # intervals may grow like e^(L t), L/2 for the motions here, where a solution decays as fast
     working = digits + GUARD + math.ceil(speed * float(times[-1]) / math.log(10))
     before, iv.dps = iv.dps, working
