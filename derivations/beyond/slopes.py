@@ -181,12 +181,15 @@ def little_resistance(
     """Through s = k t: W = u + s and u = -s/(1 - e^(-s)), so that k is a function of s."""
     u_of_k, u_of_s = beyond__slopes__u.of(u), support__s_param.of(u)
     w_of_s = next(e.rhs for e in support__s_param.parts if e.lhs == W_u and e.has(u + s))
-    path = isolate(Eq(u_of_k, u_of_s, evaluate=False), k).rhs
+    number, path = sp.Symbol("number", positive=True), sp.expand(-1 - u_of_s)  # -1 - u, a multiple of k
+    k_of_number = isolate(Eq(number, sp.expand(-1 - u_of_k), evaluate=False), k).rhs
     found = []
     for name, told in ((time, beyond__slopes__time), (reach, beyond__slopes__range)):
         form = told.of(name)
-        in_s = sp.cancel(form.subs(W_u, w_of_s)).subs(u, u_of_s).subs(k, path)
-        limit = limit_by_parameter(in_s, k, 0, "+", s, path, 0).subs(lift, beyond__slopes__u.of(lift))
+        in_s = sp.cancel(form.subs(W_u, w_of_s)).subs(u, u_of_s).subs(k, k_of_number)
+        scale, pure = in_s.as_independent(s, number, as_Add=False)
+        near = scale * limit_by_parameter(pure.subs(number, path), number, 0, "+", s, path, 0)
+        limit = near.subs(lift, beyond__slopes__u.of(lift))
         if is_zero(limit - beyond__slopes__free.of(name)) is None:
             raise DerivationError(f"{limit} is not {beyond__slopes__free.of(name)}, that without resistance")
         found.append(Eq(Limit(form.subs(u, u_of_k), k, 0, "+"), limit, evaluate=False))
