@@ -44,6 +44,7 @@ from galileo_sym.tactics import (
     compose_monotone,
     elementary_limit,
     isolate,
+    ladder,
     monotone,
     sign_on,
     trig_box,
@@ -130,15 +131,19 @@ def one_parameter(range__u, def__u, def__alpha):
     Domain({}, where={Theta(alpha): BEST}),
 )
 def flat_throws(support__unified_thm3, mono__alpha2, thm2__c):
-    """Along alpha = sqrt(1 + w e^(w + 1)), w = W, the sine goes to 0, and so does theta_max, which is below pi/4."""
+    """Along alpha = sqrt(1 + w e^(w + 1)) the sine, below that of pi/4 as theta_max is below pi/4, goes to 0."""
     path = sp.sqrt(mono__alpha2.rhs.subs(W_a, w))
     if mono__alpha2.lhs != alpha**2 or elementary_limit(path, w, sp.oo) is not sp.oo:
         raise DerivationError(f"{mono__alpha2.statement} does not let alpha grow with W alone")
     explicit = support__unified_thm3.of(sin(theta_max))
-    sine = elementary_limit(explicit.subs(W_a, w).subs(alpha, path), w, sp.oo)
+    in_w = explicit.subs(W_a, w).subs(alpha, path)
+    sine = elementary_limit(in_w, w, sp.oo)
     step("the sine", Eq(Limit(explicit, alpha, sp.oo), sine, evaluate=False))
-    if thm2__c.statement.gts != pi / 4 or thm2__c.statement.lts != theta_max:
-        raise DerivationError(f"{thm2__c.statement} does not keep theta_max where the sine has one inverse")
+    below, height = thm2__c.statement, sp.Dummy("h", positive=True)
+    if not isinstance(below, Lt) or below.lhs != theta_max:
+        raise DerivationError(f"{below} is no bound for theta_max")
+    gap = sin(below.rhs) ** 2 - in_w.subs(w, height - 1) ** 2
+    ladder(sp.expand(sp.simplify(gap * (exp(height) - 1) ** 2) * exp(-height)), height)
     return Eq(Limit(Theta(alpha), alpha, sp.oo), sp.asin(sine), evaluate=False)
 
 

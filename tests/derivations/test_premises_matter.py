@@ -40,6 +40,8 @@ SIGN_ALONE = {
     ("projectile.thm2.stationary", "projectile.lemma.f.second"): partial(scaled, name="k"),
     ("projectile.thm2.stationary", "projectile.thm2.limit-0"): opposite,
     ("projectile.thm2.b", "projectile.lemma.f.second"): opposite,
+    ("projectile.mono.inv-increasing", "projectile.mono.deriv2"): opposite,
+    ("projectile.mono.inv-increasing", "projectile.mono.alpha2"): shifted,
     ("beyond.pure-flight.best-angle", "beyond.pure-flight.independent"): opposite,
 }
 INVARIANT = {**CENTRE_ALONE, **ROOT_ALONE, **SIGN_ALONE}
