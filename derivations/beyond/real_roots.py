@@ -202,8 +202,8 @@ def impact(impact__eq_u, beyond__real_roots__two, claim__trivial_root, claim__T_
     names = dict(zip((a, b, c, d), (v for _, v in read_coefficients(equation, t).items()), strict=True))
     falling, _ = _halves(claim__T_monotone)
     argument = falling.args[0].subs(w, u)
-    if is_zero(Q.subs(names, simultaneous=True) - argument) is None:
-        raise DerivationError(f"the argument of W is not {argument}")
+    if is_zero(Q.subs(names, simultaneous=True) - argument) is None or not argument.is_negative:
+        raise DerivationError(f"the argument of W is not {argument}, or not negative")
     step("above -1/e", bound_by_end(falling, u, Lt(u, -1, evaluate=False)))
     step("below 0", Lt(argument, 0, evaluate=False))
     roots = next(e for e in beyond__real_roots__two.statement.args if isinstance(e, Or))

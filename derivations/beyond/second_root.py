@@ -82,10 +82,7 @@ def _arrival(motion, length):
 def once(beyond__second_root__backwards, eq3):
     """Backwards in time the bead goes down from A for good, so that it was at the distance s_AB exactly once."""
     arrival = _arrival(beyond__second_root__backwards, eq3)
-    number = sp.Symbol("number", positive=True)
-    slope = sp.diff(arrival.rhs, ago)
-    ladder(sp.expand(slope.subs(ago, number / gamma) * gamma / g), number)
-    rising = StrictlyIncreasing(arrival.rhs, ago, POSITIVE)
+    rising = monotone_on_half_line(arrival.rhs, ago, POSITIVE)
     ends = [
         Eq(Limit(arrival.rhs, ago, end, side), elementary_limit(arrival.rhs, ago, end, side), evaluate=False)
         for end, side in ((0, "+"), (sp.oo, "-"))
