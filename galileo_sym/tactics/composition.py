@@ -55,11 +55,11 @@ def inner_monotone(claim, outer, inner, values):
     StrictlyIncreasing or StrictlyDecreasing
         Of n(x): increasing if both have one direction.
     """
-    both, x, interval = claim.args
-    f, n, known = outer.args
     for told in (claim, outer):
         if not isinstance(told, StrictlyIncreasing | StrictlyDecreasing):
             raise DerivationError(f"{told} does not say that a function is monotone")
+    both, x, interval = claim.args
+    f, n, known = outer.args
     if both != f.subs(n, inner) or values.is_subset(known) is not True:
         raise DerivationError(f"{claim} is not {outer} of {inner}, with values in {values}")
     return monotone(inner, x, interval, 1 if isinstance(claim, type(outer)) else -1)

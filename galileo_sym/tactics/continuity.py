@@ -202,10 +202,10 @@ def limit_of_ratio(ends, slopes, slope_limits) -> sp.Eq:
 @tactic
 def closed_at_end(claim, continuous: Continuous):
     """Strict monotony on an open interval holds on the closed one where the function is continuous there."""
-    f, x, inside = claim.args
-    g, z, whole = continuous.args
     if not isinstance(claim, StrictlyIncreasing | StrictlyDecreasing) or not isinstance(continuous, Continuous):
         raise DerivationError(f"{claim} is no monotony, or {continuous} no continuity")
+    f, x, inside = claim.args
+    g, z, whole = continuous.args
     if f.subs(x, z) != g or whole.interior != inside.interior:
         raise DerivationError(f"{claim} and {continuous} are not about one function")
     return monotone(g, z, whole, 1 if isinstance(claim, StrictlyIncreasing) else -1)
