@@ -162,7 +162,7 @@ def order(beyond__inverse__bijection, beyond__inverse__by_time, support__kT_at_m
     below = thm2__c.statement
     if not isinstance(below, Lt) or below.lhs != theta_max or not below.rhs < pi / 2:
         raise DerivationError(f"{below} does not say that theta_max is below pi/2")
-    cosine = sign_on(cos(theta), trig_box(cos(theta), theta, HALF_TURN))
+    cosine = sign_on(cos(theta), trig_box(cos(theta), theta, HALF_TURN.interior))
     sine = monotone(alpha * sin(theta), theta, HALF_TURN, cosine)
     inside = {theta: RISING, theta_max: Interval.open(0, below.rhs)}
     rising = _part(beyond__inverse__bijection, StrictlyIncreasing)

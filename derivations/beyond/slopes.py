@@ -79,8 +79,8 @@ def below_minus_1(beyond__slopes__height):
     value = beyond__slopes__height.of(u)
     turned, bottom = _turned((-1 - value) * g / (k * v))
     angle = sp.Dummy("angle", real=True)
-    positive = sign_on(sin(angle), trig_box(sin(angle), angle, Interval(0, pi)))
-    upright = sign_on(bottom, trig_box(bottom, beta, Interval(-pi / 2, pi / 2)))
+    positive = sign_on(sin(angle), trig_box(sin(angle), angle, Interval.open(0, pi)))
+    upright = sign_on(bottom, trig_box(bottom, beta, Interval.open(-pi / 2, pi / 2)))
     if turned != sin(theta - beta) or (positive, upright) != (1, 1):
         raise DerivationError(f"the sign of {turned}/{bottom} is open")
     step("above the slope", Gt(turned, 0, evaluate=False))

@@ -126,7 +126,7 @@ def _branches(flight_range):
     length = next(part.rhs for part in flight_range.parts if part.rhs.has(sin(2 * theta)))
     slope = sp.diff(length, theta)
     step("slope of the range", Eq(sp.Derivative(R(theta), theta), slope))
-    signs = {part: sign_on(slope, trig_box(slope, theta, part)) for part in (LOW, HIGH)}
+    signs = {part: sign_on(slope, trig_box(slope, theta, part.interior)) for part in (LOW, HIGH)}
     return length, [monotone(length, theta, part, sign) for part, sign in signs.items()]
 
 

@@ -104,7 +104,8 @@ def u_below_minus_1(def__u):
     sine = sp.Dummy("sine", nonnegative=True)
     top = def__u.rhs.subs(sin(theta), 0)
     fall = sp.diff(def__u.rhs.subs(sin(theta), sine), sine)
-    if not (fall.is_negative and sign_on(sin(theta), trig_box(sin(theta), theta, HALF_TURN)) > 0):
+    inside = sign_on(sin(theta), trig_box(sin(theta), theta, HALF_TURN.interior))
+    if not (fall.is_negative and inside > 0 and all(sin(end) >= 0 for end in HALF_TURN.boundary)):
         raise DerivationError(f"{def__u.rhs} does not fall as the sine grows from 0")
     step("u falls with the sine", Lt(fall, 0))
     return And(Le(u, top), Equivalent(Eq(u, top), Eq(sin(theta), 0)))

@@ -41,14 +41,29 @@ def _narrow(box, relation: Relational):
 
 
 def trig_box(expr, variable, interval) -> dict:
-    """The signs of the sines, cosines and tangents in an expression while `variable` is inside an interval."""
+    """The signs of the sines, cosines and tangents in an expression while `variable` runs through an interval.
+
+    A function that vanishes, or has its pole, at a closed end has no sign: give the interior, or an open end.
+    """
     box = {}
     for applied in sorted(expr.atoms(sp.sin, sp.cos, sp.tan), key=str):
-        first, last = (applied.args[0].subs(variable, end) for end in (interval.start, interval.end))
+        ends = [(applied.args[0].subs(variable, e), is_open) for e, is_open in _ends(interval)]
+        (first, first_open), (last, last_open) = sorted(ends, key=lambda end: end[0])
         for function, low, high, values in _QUADRANTS:
-            if applied.func == function and low <= first and last <= high:
+            after = low < first or (low == first and (first_open or _keeps_sign(function, low)))
+            before = last < high or (last == high and (last_open or _keeps_sign(function, high)))
+            if applied.func == function and after and before:
                 box[applied] = values
     return box
+
+
+def _ends(interval):
+    return (interval.start, interval.left_open), (interval.end, interval.right_open)
+
+
+def _keeps_sign(function, place):
+    """Whether a function is neither 0 nor infinite at the edge of its quadrant."""
+    return function(place).is_zero is False and function(place).is_finite is True
 
 
 @tactic

@@ -54,10 +54,11 @@ def test_box_from_inequalities():
 
 
 def test_trigonometric_signs_hold_only_in_their_quadrant():
-    inside = trig_box(sp.cos(2 * x), x, Interval(0, sp.pi / 4))
+    inside = trig_box(sp.cos(2 * x), x, Interval.Ropen(0, sp.pi / 4))
     assert sign_on(sp.cos(2 * x), inside) == 1
-    assert sign_on(sp.cos(2 * x), trig_box(sp.cos(2 * x), x, Interval(sp.pi / 4, sp.pi / 2))) == -1
+    assert sign_on(sp.cos(2 * x), trig_box(sp.cos(2 * x), x, Interval.Lopen(sp.pi / 4, sp.pi / 2))) == -1
     assert trig_box(sp.cos(2 * x), x, Interval(0, sp.pi / 2)) == {}
+    assert trig_box(sp.sin(x), x, Interval(0, 1)) == trig_box(sp.tan(x), x, Interval.Lopen(0, sp.pi / 2)) == {}
 
 
 def test_sign_by_ladder_of_a_quotient():
