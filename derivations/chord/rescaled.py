@@ -135,8 +135,8 @@ def displaced(claim__centres_radius):
     Domain(
         {
             mu: POSITIVE,
-            xt: sp.FiniteSet(0, sp.Rational(1, 2), -1),
-            yt: sp.FiniteSet(0, 2, sp.Rational(1, 3)),
+            xt: sp.Union(sp.FiniteSet(0), REAL, evaluate=False),  # so that the crossing points are tried, too
+            yt: sp.Union(sp.FiniteSet(0, 2), REAL, evaluate=False),
             theta: Interval(0, atan(1 / mu)),
             g: POSITIVE,
             t: POSITIVE,

@@ -157,7 +157,7 @@ def _failing_premises(declaration, outcome, premises, given):
 def _outside(declaration, domain):
     """A point of the entry's assumptions where a premise's do not hold."""
     for point in declaration.domain.points(POINTS, declaration.id):
-        if not _inside(domain.inside, point):
+        if not inside(domain.inside, point):
             return _show(sp.true, point, {})
     return None
 
@@ -173,14 +173,14 @@ def _counterexample_inside(statement, declaration, domain, given):
         ready, ranges = ready_to_try(statement, declaration.domain, given)
         condition = resolve(domain.inside, given, frozenset(ranges))
         for point in Domain(ranges).points(POINTS, declaration.id):
-            if _inside(condition, point) and not numeric.holds(ready, point):
+            if inside(condition, point) and not numeric.holds(ready, point):
                 return _show(statement, point, given)
     except numeric.Untestable:  # it speaks of something else, too, that has no value here
         return None
     return None
 
 
-def _inside(condition, point):
+def inside(condition, point):
     """Whether a premise's assumptions hold at a point; those about variables that have no value here are left out."""
     for part in condition.args if isinstance(condition, sp.And) else (condition,):
         if part.free_symbols <= set(point) and not numeric.holds(part, point):

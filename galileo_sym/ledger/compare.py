@@ -16,6 +16,8 @@ from .environment import definitions, equations, resolve
 from .equivalence import equivalent, is_zero
 from .moves import moved_apart
 from .parts import part_by_part
+from .sides import where_a_side_holds
+from .unwrap import unwrapped
 from .verdict import Kind, Verdict
 
 CASES = 4  # of finite sets of values, at most, to be put in one by one
@@ -38,20 +40,26 @@ def _compare(other, derived, declaration, given):
     if derived == other:
         return Kind.PROVED, "identical", None
     own = definitions(derived)
-    told = {**_initial_values(derived), **own}
-    known = {**given, **{k: v for k, v in told.items() if k not in declaration.domain.ranges}}
-    declaration = _with_free_symbols(declaration, derived, known)
+    known = {**_initial_values(derived), **given}
     try:
+        declaration = _with_free_symbols(declaration, derived, known)
         fresh = _beside(derived, other)
         failure = None if fresh == sp.true else counterexample(fresh, declaration.domain, known, declaration.id)
         if failure is not None:
             return Kind.REFUTED, "the derived statement holds here, the other does not", failure
-        how = _shown_equal(derived, other, declaration.domain, known, own)
+        how = _shown_equal(derived, other, declaration, known, own)
         if how:
             return Kind.PROVED, how, None
         failure = moved_apart(other, derived, declaration, known)
         if failure is not None:
             return Kind.REFUTED, "the other statement holds here, the derived one does not", failure
+        failure = where_a_side_holds(fresh, derived, declaration, known)
+        if failure is not None:
+            return (
+                Kind.REFUTED,
+                "the derived statement holds here, and of the other's equivalence one side only",
+                failure,
+            )
         return part_by_part(derived, other, declaration) or (Kind.CHECKED, "equal in numbers only", None)
     except EmptyDomain as problem:
         return Kind.VACUOUS, str(problem), None
@@ -81,9 +89,19 @@ def _with_free_symbols(declaration, derived, known):
     return replace(declaration, domain=replace(domain, ranges={**domain.ranges, **free})) if free else declaration
 
 
-def _shown_equal(derived, other, domain, known, own):
-    how = equivalent(derived, other) or _with_definitions(derived, other, domain, known, own)
+def _shown_equal(derived, other, declaration, known, own):
+    domain = declaration.domain
+    how = _solved(derived, other, declaration) or equivalent(derived, other)
+    how = how or _with_definitions(derived, other, domain, known, own)
     return how or _case_by_case(derived, other, domain)
+
+
+def _solved(derived, other, declaration):
+    """Equivalence once both are solved for a quantity that stands in a one-to-one function, such as its square."""
+    ranges, independent = declaration.notation.ranges, declaration.domain.ranges
+    pair = [unwrapped(e, derived, ranges, independent) for e in (derived, other)]
+    how = equivalent(*pair) if pair != [derived, other] else None
+    return how and f"solved, {how}"
 
 
 def _case_by_case(derived, other, domain):

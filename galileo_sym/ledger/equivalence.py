@@ -6,6 +6,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
+from .ideals import same_solutions
 from .predicates import Claim
 
 _UNORDERED = (sp.And, sp.Or, sp.Equivalent)
@@ -24,7 +25,7 @@ def equivalent(one, other) -> str | None:
     if isinstance(one, Relational) and isinstance(other, Relational):
         return _relations(one, other)
     if isinstance(one, _UNORDERED) and one.func == other.func:
-        return _in_any_order(one, other)
+        return _in_any_order(one, other) or (same_solutions(one, other) if isinstance(one, sp.And) else None)
     for whole, single in ((one, other), (other, one)):
         if isinstance(whole, sp.And) and not isinstance(single, sp.And):  # the same thing said twice
             return _strongest([equivalent(part, single) for part in whole.args])
@@ -110,6 +111,8 @@ def _equations(one, other):
         inner = way and _same_thing(one.rhs, b)
         if inner:
             return _strongest([way, inner])
+    if isinstance(one.lhs, sp.Tuple) and isinstance(other.lhs, sp.Tuple):
+        return _in_any_order(*(sp.And(*_componentwise(e), evaluate=False) for e in (one, other)))
     if isinstance(one.lhs, sp.Tuple) or isinstance(other.lhs, sp.Tuple):
         return None
     if one.has(sp.Limit) or other.has(sp.Limit):
@@ -117,9 +120,17 @@ def _equations(one, other):
     return _proportional(one.lhs - one.rhs, other.lhs - other.rhs, lambda r: r.is_nonzero, "proportional")
 
 
+def _componentwise(equation):
+    """An equation between tuples as equations between their components."""
+    return [sp.Eq(a, b, evaluate=False) for a, b in zip(equation.lhs, equation.rhs, strict=True)]
+
+
 def _inequalities(one, other):
     strict = (sp.StrictGreaterThan, sp.StrictLessThan)
     if isinstance(one, strict) != isinstance(other, strict):
+        return None
+    between = sp.expand(_excess(one) - _excess(other))
+    if between.is_number and between.is_nonzero:  # bounds a constant apart
         return None
     return _proportional(_excess(one), _excess(other), lambda r: r.is_positive, "positive multiple")
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import sympy as sp
+from sympy.core.relational import Relational
 
-from galileo_sym.ledger import Kind, StrictlyDecreasing, StrictlyIncreasing
+from galileo_sym.ledger import Kind, StrictlyDecreasing, StrictlyIncreasing, UniqueMaximum
 from galileo_sym.ledger.check import counterexample, environment, judge, run
 from galileo_sym.ledger.equivalence import equivalent
 from galileo_sym.ledger.numeric import Untestable
@@ -41,6 +42,33 @@ def _doubled(side):
     if side.is_infinite:
         return -side
     return sp.S.One if side == 0 else 2 * side
+
+
+def sign_changed(statement):
+    """The statement with signs changed: of right sides, of a term where 0 is on the right, of functions in claims.
+
+    The statement itself comes back where there is no sign to change.
+    """
+    if isinstance(statement, sp.And):
+        return sp.And(*(sign_changed(part) for part in statement.args), evaluate=False)
+    if isinstance(statement, sp.Equivalent | sp.Implies):
+        *conditions, last = statement.args
+        return statement.func(*conditions, sign_changed(last), evaluate=False)
+    if isinstance(statement, Relational):
+        left, right = statement.args
+        return statement.func(left if right != 0 else _first_term_negated(left), _negated(right), evaluate=False)
+    if isinstance(statement, StrictlyIncreasing | StrictlyDecreasing | UniqueMaximum):
+        return statement.func(-statement.args[0], *statement.args[1:])
+    return statement
+
+
+def _negated(side):
+    return sp.Tuple(*map(_negated, side)) if isinstance(side, sp.Tuple) else -side
+
+
+def _first_term_negated(side):
+    first, *others = sp.Add.make_args(side)
+    return sp.Add(-first, *others) if others else side
 
 
 def scaled(statement, name):

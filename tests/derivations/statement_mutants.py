@@ -8,8 +8,10 @@ from itertools import combinations, islice
 
 import sympy as sp
 from claim_mutants import claims
+from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
+from sympy.functions.elementary.piecewise import ExprCondPair
 
 from galileo_sym.ledger.predicates import Claim
 
@@ -22,6 +24,7 @@ _COFUNCTION = {
     sp.sin: sp.cos, sp.cos: sp.sin, sp.tan: sp.cot, sp.cot: sp.tan,
     sp.asin: sp.acos, sp.acos: sp.asin, sp.atan: sp.acot, sp.acot: sp.atan,
 }  # fmt: skip
+_FIRST_OPEN = (sp.Derivative, sp.Limit, ExprCondPair, ExprWithLimits)  # what stands behind says where
 _SHUT = (AppliedUndef, sp.Subs, sp.Lambda, sp.Order)  # unknown functions and what binds variables: not looked into
 
 
@@ -135,7 +138,7 @@ def _one_place_at_a_time(expr, rule):
 def _open_places(expr):
     if isinstance(expr, _SHUT):
         return ()
-    if isinstance(expr, sp.Derivative | sp.Limit | sp.functions.elementary.piecewise.ExprCondPair):
+    if isinstance(expr, _FIRST_OPEN):
         return (0,)
     return range(len(expr.args))
 
@@ -210,7 +213,7 @@ def _put(expr, values):
 
 
 def _coefficients(expr):
-    """Symbols that `_put` reaches, without those that a derivative or a limit is taken in."""
+    """Symbols that `_put` reaches, without those that a derivative, limit or sum is taken in."""
     if isinstance(expr, sp.Symbol):
         return {expr}
     inside = set().union(*(_coefficients(expr.args[place]) for place in _open_places(expr)))
