@@ -4,8 +4,8 @@ import sympy as sp
 from sympy import And, Derivative, Eq, Equivalent, Interval, cos, exp, log, pi, sin, tan
 
 from galileo_sym.derivations.beyond.envelope_shared import (
-    ABOUT,
     FLIGHT_SLOPE,
+    FLYING,
     HEIGHT,
     INSIDE,
     PATH,
@@ -50,7 +50,7 @@ def path(drag__x, drag__y):
         Eq(Derivative(PATH, x_e), FLIGHT_SLOPE),
         Eq(Derivative(PATH, theta), (exp(k * t) - 1) / (k * v * cos(theta)) * PERPENDICULAR),
     ),
-    ABOUT,
+    FLYING,
 )
 def slope(beyond__envelope__path, drag__x, drag__vx, drag__vy):
     """A path has the direction of flight; how its height at x_e changes with theta is decided by the velocities.
@@ -80,7 +80,7 @@ def slope(beyond__envelope__path, drag__x, drag__vx, drag__vy):
         Equivalent(Eq(Derivative(PATH, theta), 0), Eq(sin(theta), SINE)),
         Equivalent(Eq(PERPENDICULAR, 0), Eq(sin(theta), SINE)),
     ),
-    ABOUT,
+    FLYING,
 )
 def condition(beyond__envelope__slope, drag__vx, drag__vy, def__alpha):
     """Neighbouring trajectories meet where the projectile flies at a right angle to its launch: sin = alpha/(e^s - 1).

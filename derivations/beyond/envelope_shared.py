@@ -2,7 +2,7 @@
 
 from sympy import Derivative, Eq, Equivalent, FiniteSet, Interval, Union, asin, cos, exp, log, sin, sqrt, tan
 
-from galileo_sym.derivations.beyond.notation import part, x_e, y_e
+from galileo_sym.derivations.beyond.notation import sigma, x_e, y_e
 from galileo_sym.derivations.projectile.notation import SHOT, alpha, g, k, s, share, t, theta, v, x, y
 from galileo_sym.ledger import DerivationError, Domain
 from galileo_sym.ledger.equivalence import is_zero
@@ -16,27 +16,25 @@ XI = k * x_e / v
 ROOT = sqrt(alpha**2 + (1 - alpha**2) * XI**2)
 HEIGHT = g / k**2 * (ROOT + log((1 - XI**2) / (1 + ROOT)))
 
-# points of contact by what is left of the speed there, share/(1 + alpha): all of the envelope but its foot theta = pi/2
-SPEED_LEFT = share / (1 + k * v / g)
-SINE_THERE = k * v / g * SPEED_LEFT / (1 - SPEED_LEFT)
+INSIDE = Interval.open(0, 1)
 
 
-def contact(sine=SINE_THERE):
-    """What the symbols stand for where the trajectory with the sine `sine` is at the time of contact."""
+def _flight(left):
+    """What the symbols stand for at the elevation with the sine sigma when `left` of the speed is left across."""
     return {
         alpha: k * v / g,
-        s: -log(SPEED_LEFT),
-        t: -log(SPEED_LEFT) / k,
-        theta: asin(sine),
-        x_e: v / k * sqrt(1 - sine**2) * (1 - SPEED_LEFT),
-        y_e: g / k**2 * ((1 + k * v / g * sine) * (1 - SPEED_LEFT) + log(SPEED_LEFT)),
+        s: -log(left),
+        t: -log(left) / k,
+        theta: asin(sigma),
+        x_e: v / k * sqrt(1 - sigma**2) * (1 - left),
+        y_e: g / k**2 * ((1 + k * v / g * sigma) * (1 - left) + log(left)),
     }
 
 
-INSIDE = Interval.open(0, 1)
-TOUCHING = Domain({**SHOT, share: INSIDE}, where=contact())
-# the trajectories that touch, and flatter ones at the time when that one does
-ABOUT = Domain({**SHOT, share: INSIDE, part: Union(FiniteSet(1), INSIDE, evaluate=False)}, contact(part * SINE_THERE))
+AT_CONTACT = sigma / (sigma + k * v / g)
+# all elevations between 0 and pi/2 at all times, the time of contact among them, and at that time
+FLYING = Domain({**SHOT, sigma: INSIDE, share: Union(FiniteSet(AT_CONTACT), INSIDE, evaluate=False)}, _flight(share))
+TOUCHING = Domain({**SHOT, sigma: INSIDE}, where=_flight(AT_CONTACT))
 
 
 def sine_of_contact(condition):

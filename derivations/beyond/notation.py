@@ -20,7 +20,7 @@ z = symbol("z", ONE, "g*t/v, the time as a pure number", real=True)
 rho = symbol("rho", ONE, "g*R/v**2, the range as a pure number", real=True)
 x_e = symbol("x_e", LENGTH, "abscissa of a point of the envelope of trajectories", positive=True)
 y_e = symbol("y_e", LENGTH, "height of a point of the envelope of trajectories", real=True)
-part = symbol("part", ONE, "sine of an elevation over that of the trajectory that touches", positive=True)
+sigma = symbol("sigma", ONE, "sine of the elevation", positive=True)
 order = symbol("order", ONE, "order of a term of a Taylor series", integer=True, nonnegative=True)
 
 X = function("X", ONE, "g*x/v**2, the abscissa as a pure number")
