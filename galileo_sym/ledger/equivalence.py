@@ -6,8 +6,11 @@ import sympy as sp
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
+from .arcs import as_arctangents
 from .ideals import same_solutions
+from .near_limits import same_limit
 from .predicates import Claim
+from .unwrap import same_in_cases
 
 _UNORDERED = (sp.And, sp.Or, sp.Equivalent)
 ORDERED = (sp.StrictGreaterThan, sp.GreaterThan, sp.StrictLessThan, sp.LessThan)
@@ -58,8 +61,12 @@ def _same_thing(a, b):
     if isinstance(a, sp.Interval) and isinstance(b, sp.Interval):
         ends = _pairwise((a.start, a.end), (b.start, b.end))
         return ends if (a.left_open, a.right_open) == (b.left_open, b.right_open) else None
+    if isinstance(a, sp.Limit) and isinstance(b, sp.Limit):
+        return _pairwise(a.args, b.args) or same_limit(a, b)
     if a.has(sp.Limit) or b.has(sp.Limit):
         return _pairwise(a.args, b.args) if a.func == b.func and a.args else None
+    if isinstance(a, sp.Piecewise) != isinstance(b, sp.Piecewise):
+        return same_in_cases(a, b, _same_thing)
     if isinstance(a, sp.Expr) and isinstance(b, sp.Expr):
         return is_zero(a - b) or _same_function(a, b)
     return "identical" if a == b else None
@@ -245,6 +252,7 @@ _MOVES = (
     ("W e^W = q", _w_rational),
     ("sin^2 + cos^2 = 1", _trig_polynomial),
     ("squares of roots", _radicals),
+    ("arctangents", as_arctangents),
     ("simplify", sp.simplify),
     ("exponentials", lambda e: sp.simplify(sp.powsimp(sp.expand(e.rewrite(sp.exp))))),
 )
