@@ -116,6 +116,6 @@ def _stationary_angle(a, digits):
     with mp.workdps(50 + lost):
         ends = mp.log(1 / (4 + 4 * a)), mp.log(min(mp.pi / 4, (4 + 2 * mp.log(1 + a)) / a))
         near = mp.findroot(condition, ends, solver="anderson", tol=mp.mpf(10) ** -50, maxsteps=200)
-    with mp.workdps(2 * digits + 40 + lost):
+    with mp.workdps(digits + 40 + lost):
         pair = near, near * (1 + mp.mpf(10) ** -20)
-        return mp.exp(mp.findroot(condition, pair, solver="secant", tol=mp.mpf(10) ** -(digits + 10)))
+        return mp.exp(mp.findroot(condition, pair, solver="secant", tol=mp.mpf(10) ** -(2 * digits + 20)))
