@@ -202,11 +202,22 @@ def _given(declaration):
 
 
 def counterexample(statement, domain: Domain, given: dict, seed: str) -> dict | None:
-    """A point inside the assumptions where a statement fails, or None if it holds at every point tried."""
+    """A point inside the assumptions where a statement fails, or None if it holds at every point tried.
+
+    Where it has no value at a point, it may still fail at another.
+    """
     ready, ranges = ready_to_try(statement, domain, given)
+    problem = None
     for point in Domain(ranges).points(POINTS, seed):
-        if not numeric.holds(ready, point):
-            return _show(statement, point, given)
+        try:
+            if not numeric.holds(ready, point):
+                return _show(statement, point, given)
+        except numeric.Untestable as no_value:
+            if problem is not None:
+                raise
+            problem = no_value
+    if problem is not None:
+        raise problem
     return None
 
 

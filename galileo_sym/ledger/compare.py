@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from itertools import product
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import BooleanAtom
 
+from .cases import case_by_case, for_multiples
 from .check import counterexample
 from .domain import POSITIVE, REAL, EmptyDomain
 from .environment import definitions, equations, resolve
@@ -19,8 +19,6 @@ from .parts import part_by_part
 from .sides import where_a_side_holds
 from .unwrap import unwrapped
 from .verdict import Kind, Verdict
-
-CASES = 4  # of finite sets of values, at most, to be put in one by one
 
 
 def compare(statement, derived, declaration, given) -> Verdict:
@@ -60,7 +58,7 @@ def _compare(other, derived, declaration, given):
                 "the derived statement holds here, and of the other's equivalence one side only",
                 failure,
             )
-        return part_by_part(derived, other, declaration) or (Kind.CHECKED, "equal in numbers only", None)
+        return part_by_part(derived, other, declaration, known) or (Kind.CHECKED, "equal in numbers only", None)
     except EmptyDomain as problem:
         return Kind.VACUOUS, str(problem), None
     except Exception as problem:  # what SymPy cannot do with a user's statement is said, not raised
@@ -93,7 +91,7 @@ def _shown_equal(derived, other, declaration, known, own):
     domain = declaration.domain
     how = _solved(derived, other, declaration) or equivalent(derived, other)
     how = how or _with_definitions(derived, other, domain, known, own)
-    return how or _case_by_case(derived, other, domain)
+    return how or case_by_case(derived, other, domain) or for_multiples(derived, other, domain, known)
 
 
 def _solved(derived, other, declaration):
@@ -104,26 +102,14 @@ def _solved(derived, other, declaration):
     return how and f"solved, {how}"
 
 
-def _case_by_case(derived, other, domain):
-    """Equivalence for each of the few values that a variable takes, such as a sign."""
-    spoken = derived.free_symbols | other.free_symbols
-    few = {s: tuple(v) for s, v in domain.ranges.items() if s in spoken and isinstance(v, sp.FiniteSet)}
-    cases = list(product(*few.values()))
-    if not few or len(cases) > CASES or any(v.free_symbols for case in cases for v in case):
-        return None
-    for case in cases:
-        put = dict(zip(few, case, strict=True))
-        if equivalent(resolve(derived, put), resolve(other, put)) is None:
-            return None
-    return f"case by case ({', '.join(map(str, few))})"
-
-
 def _with_definitions(derived, other, domain, known, own):
     """Equivalence once both are written with the same quantities: s(t) in one, its formula in the other.
 
-    What both speak of stays: with it put in, any two true statements become 0 = 0.
+    What both speak of stays, unless it is another name: with it put in, any two true statements become 0 = 0.
     """
-    put = {k: v for k, v in known.items() if k not in own and derived.has(k) != other.has(k)}
+    apart = {k for k in known if k not in own and derived.has(k) != other.has(k)}
+    names = {k for k, v in known.items() if k not in own and isinstance(v, sp.Symbol | AppliedUndef)}
+    put = {k: known[k] for k in apart | names}
     pair = [resolve(e, put, frozenset(domain.ranges)) for e in (derived, other)]
     return None if any(map(_says_nothing, pair)) else equivalent(*pair)
 

@@ -245,8 +245,13 @@ def _loose_roots(term):
     return loose if len(loose) <= 1 else None
 
 
+def _derivatives(expr):
+    return sp.expand(expr.doit()) if expr.has(sp.Derivative) else expr
+
+
 _MOVES = (
     ("expand", sp.expand),
+    ("derivatives", _derivatives),
     ("powers of e together", lambda e: sp.expand(sp.powsimp(e, combine="exp", deep=True))),
     ("common denominator", _rational),
     ("W e^W = q", _w_rational),

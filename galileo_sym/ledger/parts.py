@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from .cases import for_multiples
 from .check import digits
 from .environment import definitions, equations, resolve
 from .equivalence import ORDERED, equivalent, is_zero
@@ -12,15 +13,20 @@ from .verdict import Kind
 STRICT = (sp.StrictGreaterThan, sp.StrictLessThan)
 
 
-def part_by_part(derived, other, declaration) -> tuple | None:
+def part_by_part(derived, other, declaration, known) -> tuple | None:
     """Kind, method and counterexample where two statements, true both, differ in one part; None if that says nothing.
 
     An inequality bounds a quantity, and is another statement than one that bounds it elsewhere, though both be true: a
     value between the bounds tells them apart.
     """
+    if _covered(derived, other) and _covered(other, derived):
+        return Kind.PROVED, "each part follows from one of the other's", None
     shared, mine, theirs = _differing(derived, other)
     if mine is None:
         return None
+    how = for_multiples(mine, theirs, declaration.domain, known)
+    if how is not None:
+        return Kind.PROVED, how, None
     apart = _between_bounds(mine, theirs, declaration)
     if apart is not None:
         return apart
@@ -28,6 +34,22 @@ def part_by_part(derived, other, declaration) -> tuple | None:
     if _follows(mine, put, declaration.domain) and _follows(theirs, put, declaration.domain):
         return Kind.PROVED, "they differ in what follows from the parts they share", None
     return None
+
+
+def _covered(one, other):
+    """Whether each part of a statement follows from a part of another: it is the same, or a looser bound."""
+    ours, theirs = [s.args if isinstance(s, sp.And) else (s,) for s in (one, other)]
+    return all(any(_implied(part, known) for known in theirs) for part in ours)
+
+
+def _implied(part, known):
+    if part == known:
+        return True
+    if not (isinstance(part, ORDERED) and isinstance(known, ORDERED)):
+        return False
+    room = sp.expand((part.gts - part.lts) - (known.gts - known.lts))
+    looser = room.is_number and (room.is_positive or (room == 0 and isinstance(known, STRICT)))
+    return bool(looser) or equivalent(part, known) is not None
 
 
 def _differing(derived, other):

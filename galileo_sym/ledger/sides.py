@@ -11,6 +11,7 @@ from mpmath import mp
 
 from . import numeric
 from .check import POINTS, digits, inside, ready_to_try
+from .equivalence import ORDERED
 
 STARTS = 3  # for a root, from every point
 DIGITS = 260
@@ -29,14 +30,14 @@ def where_a_side_holds(statement, derived, declaration, given) -> dict | None:
         spoken = set().union(*(e.free_symbols for e in system))
         free = [s for s in ranges if s in spoken and not isinstance(ranges[s], sp.FiniteSet)][-len(system) :]
         for point in points if len(free) == len(system) else ():
-            for there in _roots(system, free, point, rng):
+            for there in (p for root in _roots(system, free, point, rng) for p in _beside(root, free[-1])):
                 if inside(domain.inside, there) and numeric.holds(truth, there) and not numeric.holds(ready, there):
                     return {str(s): digits(v) for s, v in there.items()}
     return None
 
 
 def _systems(statement) -> Iterator[list]:
-    """The equations of every side of every equivalence: of each alternative, the differences that vanish."""
+    """What vanishes on a side of an equivalence, or where a bound there is reached: lists of expressions."""
     for equivalence in sorted(statement.atoms(sp.Equivalent), key=sp.default_sort_key):
         for side in equivalence.args:
             for case in side.args if isinstance(side, sp.Or) else (side,):
@@ -44,6 +45,13 @@ def _systems(statement) -> Iterator[list]:
                 plain = [p for p in parts if isinstance(p, sp.Eq) and not isinstance(p.lhs, sp.Tuple)]
                 if plain:
                     yield list(dict.fromkeys(sp.expand(p.lhs - p.rhs) for p in plain))
+                yield from ([p.lhs - p.rhs] for p in parts if isinstance(p, ORDERED))
+
+
+def _beside(point, symbol):
+    """A point and some to either side of it: there the truth of a bound changes."""
+    for away in map(mpmath.mpf, (0, "1e-9", "-1e-9", "0.3", "-0.3")):
+        yield {**point, symbol: point[symbol] + away}
 
 
 def _roots(system, unknowns, point, rng):

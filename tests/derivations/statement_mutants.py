@@ -25,6 +25,7 @@ _COFUNCTION = {
     sp.asin: sp.acos, sp.acos: sp.asin, sp.atan: sp.acot, sp.acot: sp.atan,
 }  # fmt: skip
 _FIRST_OPEN = (sp.Derivative, sp.Limit, ExprCondPair, ExprWithLimits)  # what stands behind says where
+_UNDECIDED = (AppliedUndef, sp.LambertW, sp.Abs)
 _SHUT = (AppliedUndef, sp.Subs, sp.Lambda, sp.Order)  # unknown functions and what binds variables: not looked into
 
 
@@ -136,7 +137,8 @@ def _one_place_at_a_time(expr, rule):
 
 
 def _open_places(expr):
-    if isinstance(expr, _SHUT):
+    """Which arguments are changed; not those of a limit that no rule decides, where what vanishes leaves it true."""
+    if isinstance(expr, _SHUT) or (isinstance(expr, sp.Limit) and expr.has(*_UNDECIDED)):
         return ()
     if isinstance(expr, _FIRST_OPEN):
         return (0,)
@@ -181,7 +183,13 @@ def _other_derivative(node):
 def _other_limit(node):
     if isinstance(node, sp.Limit):
         inner, variable, place, side = node.args
-        yield sp.Limit(inner, variable, place + 1 if place.is_finite else sp.S.One, str(side))
+        yield sp.Limit(inner, variable, place - sp.S.Half if place.is_finite else sp.S.One, str(side))
+
+
+def _other_function(node):
+    if isinstance(node, sp.Limit):
+        for changed in (-node.args[0], 2 * node.args[0], node.args[0] + 1):
+            yield sp.Limit(changed, *node.args[1:3], str(node.args[3]))
 
 
 _NODES = {
@@ -193,6 +201,7 @@ _NODES = {
     "sign of an exponent": _sign_of_exponent,
     "other derivative": _other_derivative,
     "limit elsewhere": _other_limit,
+    "limit of another function": _other_function,
 }
 
 
@@ -217,18 +226,17 @@ def _coefficients(expr):
     if isinstance(expr, sp.Symbol):
         return {expr}
     inside = set().union(*(_coefficients(expr.args[place]) for place in _open_places(expr)))
-    return (
-        inside - {s for a in expr.args[1:] for s in a.free_symbols}
-        if isinstance(expr, sp.Derivative | sp.Limit)
-        else inside
-    )
+    bound = expr.args[1:] if isinstance(expr, _FIRST_OPEN) else ()
+    return inside - {s for a in bound for s in a.free_symbols}
 
 
 def _alike(equation, dimensions):
     """Pairs of quantities of one dimension."""
     names = {q for q in sp.preorder_traversal(equation) if isinstance(q, sp.Symbol | AppliedUndef)}
+    numbers = {s for total in equation.atoms(ExprWithLimits) for s in total.bound_symbols}
     names = {q for q in names if isinstance(q, AppliedUndef) or q in _coefficients(equation)}
+    names = {q for q in names if not q.free_symbols & numbers}
     for one, other in combinations(sorted(names, key=str), 2):
         sizes = [dimensions.get(q if isinstance(q, sp.Symbol) else q.func) for q in (one, other)]
-        if sizes[0] is not None and sizes[0] == sizes[1]:
+        if sizes[0] is not None and sizes[0] == sizes[1] and not one.has(other) and not other.has(one):
             yield one, other
