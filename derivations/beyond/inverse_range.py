@@ -198,7 +198,7 @@ def peak(beyond__inverse__equation, beyond__inverse__order, support__kT_at_max):
     step("slope", Eq(sp.Derivative(square, s), rest * factor, evaluate=False))
     best = support__kT_at_max.of(s)
     falling = monotone(factor, s, Interval(0, sp.oo), sign_by_ladder(sp.diff(factor, s), s))
-    before = positive_before_root(falling, best, s)
+    before = positive_before_root(falling, best, s, [step("after the launch", sp.Gt(best, 0))])
     step("the slope is positive before theta_max", before)
     later = _part(beyond__inverse__order, Lt)
     if later.lhs != best:

@@ -24,7 +24,6 @@ from galileo_sym.tactics import (
     elementary_limit,
     isolate,
     least_value,
-    monotone,
     monotone_on_half_line,
     one_root,
     other_branch,
@@ -63,12 +62,8 @@ chapter.given("chord.eq34", Eq(F(w), w * exp(w)), LINE)
 )
 def f_monotone(eq34):
     """F' = (1 + w) e^w has the sign of 1 + w."""
-    slope = sp.factor(sp.diff(eq34.rhs, w))
-    step("derivative", Eq(F(w).diff(w), slope, evaluate=False))
-    side = sp.Symbol("side", real=True)
-    beyond = sp.expand(slope.subs(w, side - 1))
-    before, after = (sign_by_factors(beyond, {side: fact}) for fact in (Lt(side, 0), Gt(side, 0)))
-    return And(monotone(eq34.rhs, w, FALLING, before), monotone(eq34.rhs, w, RISING, after))
+    step("derivative", Eq(F(w).diff(w), sp.factor(sp.diff(eq34.rhs, w)), evaluate=False))
+    return And(*(monotone_on_half_line(eq34.rhs, w, side) for side in (FALLING, RISING)))
 
 
 @chapter.derive("chord.claim.F-minimum", And(Ge(w * exp(w), -exp(-1)), Eq(F(-1), -exp(-1))), BOTH_SIDES)

@@ -45,8 +45,8 @@ from galileo_sym.tactics import (
     implicit_derivative,
     isolate,
     monotone,
+    monotone_by_slope,
     read_circle,
-    sign_by_factors,
     sign_by_ladder,
     solve_motion,
 )
@@ -172,11 +172,10 @@ def theta_matters(eq42, eq43):
     time, z = sp.Function("time"), sp.Symbol("z", positive=True)
     slope = implicit_derivative(Eq(n * fallen.subs(t_AB, time(n)), D), time(n), n).rhs.subs(time(n), z / gamma)
     outer = monotone(by_n, n, POSITIVE, sign_by_ladder(slope, z))
-    tangent = sp.Dummy("tangent", real=True)
     facts = []
     for side, angles in HALVES:
         along = share.subs(theta, side * theta)
-        inner = monotone(along, theta, angles, sign_by_factors(sp.diff(along, theta).subs(tan(theta), tangent), {}))
+        inner = monotone_by_slope(along, theta, angles)
         facts.append(compose_monotone(outer, step("n on one side", inner)))
     return And(*facts)
 

@@ -48,6 +48,7 @@ from galileo_sym.tactics import (
     isolate,
     read_circle,
     sign_by_factors,
+    solve_angle,
     solve_motion,
     start_of,
     undo_arctangent,
@@ -120,7 +121,7 @@ def line_angle(eq21):
     """The angle whose tangent is |x_c|/y_c."""
     a, b = read_circle(eq21.equation, x, y).centre
     ratio = step("tangent of the angle", Eq(tan(theta_c), sp.simplify(-a / b), evaluate=False))
-    return isolate(Eq(tan(theta_c), ratio.rhs, evaluate=False), theta_c)
+    return solve_angle(Eq(tan(theta_c), ratio.rhs, evaluate=False), theta_c, ACUTE)
 
 
 @chapter.derive(

@@ -4,6 +4,7 @@ import sympy as sp
 from sympy import Abs, And, Eq, Gt, Interval, Le, Lt, atan, cos, pi, sin, sqrt, tan
 
 from galileo_sym.derivations.chord.notation import (
+    ACUTE,
     D,
     F_f,
     F_g,
@@ -34,12 +35,13 @@ from galileo_sym.ledger import (
     step,
     tell_chapter,
 )
+from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
+    compose_monotone,
     isolate,
-    monotone,
-    monotone_through,
+    monotone_by_slope,
     positive_before_root,
-    sign_by_factors,
+    solve_angle,
     solve_motion,
     start_of,
     substitute,
@@ -131,7 +133,7 @@ def motion_left(law__friction):
 def largest_angle(eq12):
     """The acceleration vanishes at theta_max."""
     balance = step("no acceleration", Eq(0, eq12.rhs.subs(theta, theta_max), evaluate=False))
-    return isolate(balance, theta_max)
+    return solve_angle(balance, theta_max, ACUTE)
 
 
 @chapter.derive(
@@ -152,9 +154,9 @@ def slides_iff(eq12, eq13, eq14):
     if sp.simplify(right - eq14.rhs.subs(theta, -angle)) != 0:
         raise DerivationError("(12) and (14) are not mirror images")
     factor = sp.expand(right / (g * cos(angle))).replace(sin, lambda a: tan(a) * cos(a))
-    slope = sp.diff(factor, angle).replace(tan, lambda a: sp.Dummy("tangent", real=True))
-    falling = monotone(factor, angle, Interval.Ropen(0, pi / 2), sign_by_factors(slope, {}))
-    before = positive_before_root(falling, eq13.of(theta_max), Abs(theta))
+    falling = monotone_by_slope(factor, angle, Interval.Ropen(0, pi / 2))
+    chords = step("all chords", Lt(Abs(theta), pi / 2))
+    before = positive_before_root(falling, eq13.of(theta_max), Abs(theta), [chords])
     times_cosine = sp.expand(factor.subs(angle, Abs(theta)) * cos(theta)).subs(
         tan(Abs(theta)) * cos(theta), sin(Abs(theta))
     )
@@ -177,16 +179,19 @@ EQ16 = Eq(t_AB, sqrt(2 * s_AB / (g * (cos(theta) - mu * sin(theta)))))
     Domain({g: POSITIVE, s_AB: POSITIVE, mu: POSITIVE, theta: TO_THE_RIGHT}),
     erratum=endless(EQ16, sqrt(2 * s_AB / g)),
 )
-def time_along_chord(eq15):
+def time_along_chord(eq15, claim__slides_iff):
     """The bead is at B when s = s_AB."""
-    return arrival_time(eq15.equation, s_AB)
+    return arrival_time(eq15.equation, s_AB, claim__slides_iff, 1)
 
 
-def arrival_time(motion, length):
+def arrival_time(motion, length, slides, side):
     """Solve for the time at which a bead that slides is at B; only the positive root is after the release."""
     arrival = step("arrival at B", Eq(length, sp.factor(motion.rhs.subs(t, t_AB)), evaluate=False))
     (pull,) = (e for e in sp.Mul.make_args(arrival.rhs) if e.has(theta))
-    step("the bead slides", Gt(pull, 0))
+    told = slides.statement.atoms(sp.StrictGreaterThan).pop().subs(Abs(theta), side * theta)
+    if is_zero(pull - (told.lhs - told.rhs)) is None:
+        raise DerivationError(f"{told} does not say that {pull} is positive")
+    step("the bead slides", told)
     return isolate(arrival, t_AB, hide={pull: sp.Symbol("pull", positive=True)})
 
 
@@ -214,10 +219,10 @@ def over_cosine(root):
     Domain({g: POSITIVE, D: POSITIVE, mu: POSITIVE, theta: Interval.Lopen(-LAST, 0)}),
     erratum=endless(EQ18, sqrt(2 * D / g), -LAST),
 )
-def descent_time_left(eq14, eq3, setup):
+def descent_time_left(eq14, eq3, setup, claim__slides_iff):
     """The same with (14)."""
     path = solve_motion(eq14.equation, s(t), start_of(setup.parts, s(t)))
-    return substitute(arrival_time(path, s_AB), {s_AB: eq3.of(s_AB)}, tidy=over_cosine)
+    return substitute(arrival_time(path, s_AB, claim__slides_iff, -1), {s_AB: eq3.of(s_AB)}, tidy=over_cosine)
 
 
 @chapter.derive(
@@ -233,8 +238,9 @@ def steeper_sooner(eq17, eq18):
     sides = ((eq17.rhs, -1, TO_THE_RIGHT), (eq18.rhs, 1, Interval.Lopen(-LAST, 0)))
     facts = []
     for time, sign, where in sides:
-        falling = sp.simplify(time.subs(tan(theta), sign * (n - 1) / mu))
-        facts.append(monotone_through(falling, n, 1 + sign * mu * tan(theta), theta, where))
+        by_n = monotone_by_slope(sp.simplify(time.subs(tan(theta), sign * (n - 1) / mu)), n, POSITIVE)
+        inner = step("n on one side", monotone_by_slope(1 + sign * mu * tan(theta), theta, where))
+        facts.append(compose_monotone(by_n, inner))
     return And(*facts)
 
 
@@ -246,7 +252,8 @@ def steeper_sooner(eq17, eq18):
 def friction_breaks_paradox(claim__steeper_sooner):
     """The vertical chord is the quickest."""
     rising = next(part for part in claim__steeper_sooner.parts if isinstance(part, StrictlyIncreasing))
-    return values_ordered(rising, 0, theta)
+    inside = [step("beside the vertical", Gt(theta, 0)), step("a bead that slides", Lt(theta, LAST))]
+    return values_ordered(rising, 0, theta, inside)
 
 
 @chapter.derive(

@@ -4,6 +4,7 @@ import sympy as sp
 from sympy import And, Eq, Gt, Le, Lt, Ne, Or, Tuple, atan, cos, sin, sqrt
 
 from galileo_sym.derivations.chord.notation import (
+    ACUTE,
     g,
     mu,
     notation,
@@ -141,7 +142,7 @@ def spindle(claim__union_of_arcs, support__lens_parametrisation, support__theta_
     arc = next(a for a in claim__union_of_arcs.parts if a.args[4] == sp.Ge(x, 0))
     across = next(e for e in support__lens_parametrisation.parts if e.lhs.has(x))
     acute = isolate(support__theta_c_max.equation, theta_max).rhs
-    widest = sine_maximum(across.rhs, theta, theta_c, (sp.S.Zero, acute))
+    widest = sine_maximum(across.rhs, theta, theta_c, (sp.S.Zero, acute), ACUTE)
     known = {theta_c: isolate(support__theta_c_max.equation, theta_c).rhs}
     place_of_widest = sp.expand(widest.subs(known)).subs(theta_max, eq13.of(theta_max))
     step("the widest point", Eq(theta, place_of_widest, evaluate=False))

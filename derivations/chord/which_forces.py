@@ -113,9 +113,11 @@ def part(statements, about):
 def circles(eq3, eq50, setup):
     """At the time t take D = 2R(t), the distance along AC: then T(D) = t, and every bead is at its B."""
     at_b = PARADOX.subs(s_AB, eq3.of(s_AB))
-    below = values_ordered(NEVER_BACK, 0, t).subs(R(0), setup.of(s(0)) / 2)  # 2R is s at theta = 0
-    above = values_ordered(NEVER_BACK, t, t_0)
-    on_ac, on_ab = instantiate(at_b, 2 * R(t), [step("the bead has left A", below), step("before t_0", above)]).args
+    moving = [step("after the release", Gt(t, 0)), step("and before t_0", Lt(t, t_0))]
+    below = values_ordered(NEVER_BACK, 0, t, moving).subs(R(0), setup.of(s(0)) / 2)  # 2R is s at theta = 0
+    above = values_ordered(NEVER_BACK, t, t_0, moving)
+    inside = [step("the bead has left A", below), step("it is not yet where it is at t_0", above)]
+    on_ac, on_ab = instantiate(at_b, 2 * R(t), inside).args
     if on_ac.has(s):
         on_ac, on_ab = on_ab, on_ac
     now = step("2R takes no value twice", same_argument(NEVER_BACK, on_ac, T(2 * R(t)), t))
@@ -193,7 +195,7 @@ def condition(eq50, eq52):
 def independent(eq53):
     """R(t) does not depend on theta, so neither does the left side, which is therefore what it is at theta = 0."""
     left, right = independent_sides(eq53.equation, theta, hidden=(s,))
-    return And(right, left, homogeneous(left, f))
+    return And(right, left, homogeneous(left, f, hidden=(s,)))
 
 
 LAW = ForAll(Eq(s(t).diff(t, 2), g * cos(theta) - f(s(t).diff(t))), t, Interval.Ropen(0, t_0))

@@ -83,12 +83,13 @@ def product_between(claim__T_monotone):
         "the implication is the other way round: for all u < -1, and hence for all 0 < theta <= pi/2",
     ),
 )
-def bounds(lemma__a__proof, claim__T_monotone, def__W, def__uyR):
+def bounds(lemma__a__proof, claim__T_monotone, def__W, res1, def__uyR):
     """W, the inverse of the rising half of T, takes arguments between -1/e and 0 to values between -1 and 0."""
     rising = next(e for e in claim__T_monotone.parts if isinstance(e, StrictlyIncreasing))
     inverse = def__uyR.of(Y)
-    foot = next(e.rhs for e in def__W.parts if isinstance(e, sp.Ge) and e.lhs == LambertW(q))
-    between = inverse_between(rising, inverse, inverse.args[0], foot, sp.S.Zero, lemma__a__proof.statement)
+    values = next(e for e in def__W.parts if isinstance(e, sp.Ge) and e.lhs == LambertW(q))
+    round_trip, bounded = res1.equation.reversed, lemma__a__proof.statement
+    between = inverse_between(rising, round_trip, values, inverse.args[0], sp.S.Zero, bounded)
     inside = step("values of W", between.subs(inverse, Y))
     box = {**box_of(inside), u: BEYOND}
     return And(inside, *(compare_on(Y / u, bound, box) for bound in (sp.S.Zero, sp.S.One)))

@@ -1,6 +1,6 @@
 """The symbolic moves that derivations are made of, one small module each."""
 
-from .angles import Wave, as_wave, undo_arctangent
+from .angles import Wave, as_wave, solve_angle, undo_arctangent
 from .beside import (
     even_at_extremum,
     extremum_between,
@@ -62,7 +62,7 @@ from .signs import (
     ladder,
     ladder_order,
     monotone,
-    monotone_through,
+    monotone_by_slope,
     not_negative,
     positive_before_root,
     sign_by_factors,
@@ -123,8 +123,8 @@ __all__ = [
     "modus_ponens",
     "monotone",
     "monotone_beside",
+    "monotone_by_slope",
     "monotone_on_half_line",
-    "monotone_through",
     "negative_root",
     "not_negative",
     "one_root",
@@ -148,6 +148,7 @@ __all__ = [
     "simplify_inside",
     "sine_maximum",
     "slope_at_gap",
+    "solve_angle",
     "solve_linear_exponential",
     "solve_motion",
     "split_series",

@@ -1,4 +1,4 @@
-"""Sums of a sine and a cosine as one wave, and arctangents undone."""
+"""Sums of a sine and a cosine as one wave, arctangents undone, equations solved for an angle."""
 
 from __future__ import annotations
 
@@ -77,3 +77,35 @@ def undo_arctangent(expr, angle, interval):
         if within and is_zero(arcs[0].args[0] - tangent) is not None:
             return expr.subs(arcs[0], value)
     raise DerivationError(f"{arcs[0]} is not undone by the tangent of an angle in {interval}")
+
+
+@tactic
+def solve_angle(equation: sp.Eq, angle, interval) -> sp.Eq:
+    """Solve for an angle in a quarter turn: divided by its cosine the equation is one for the tangent, one-to-one.
+
+    Parameters
+    ----------
+    equation : Eq
+        Every term with one and the same number of sines and cosines of the angle, taken together.
+    interval : Interval
+        In which the angle lies, inside (-pi/2, pi/2); if inside (0, pi/2), only positive tangents count.
+
+    Returns
+    -------
+    Eq
+        Eq(angle, atan(...)).
+    """
+    if interval.is_subset(sp.Interval.open(-sp.pi / 2, sp.pi / 2)) is not True:
+        raise DerivationError(f"the tangent does not tell the angles in {interval} apart")
+    sine, cosine = sp.symbols("sine cosine", positive=True)
+    names = {sp.tan(angle): sine / cosine, sp.sin(angle): sine, sp.cos(angle): cosine}
+    flat = sp.numer(sp.together((equation.lhs - equation.rhs).subs(names)))
+    polynomial = sp.Poly(flat, sine, cosine)
+    if flat.has(angle) or not polynomial.is_homogeneous:
+        raise DerivationError(f"{equation} is not one for the tangent of {angle}")
+    acute = interval.is_subset(sp.Interval.open(0, sp.pi / 2)) is True
+    tangent = sp.Dummy("tangent", **({"positive": True} if acute else {"real": True}))
+    roots = sp.solve(polynomial.as_expr().subs({sine: tangent, cosine: 1}), tangent)
+    if len(roots) != 1:
+        raise DerivationError(f"{equation} has the roots {roots} for the tangent of {angle}")
+    return sp.Eq(angle, sp.atan(roots[0]), evaluate=False)

@@ -9,6 +9,8 @@ import sympy as sp
 from galileo_sym.ledger import DerivationError, TracesOnce, step, tactic
 from galileo_sym.ledger.equivalence import is_zero
 
+from .places import ordered, require_inside
+
 
 @dataclass(frozen=True)
 class Circle:
@@ -35,6 +37,8 @@ def read_circle(equation: sp.Eq, x, y) -> Circle:
     a = sp.simplify(-polynomial.coeff_monomial(x) / (2 * lead))
     b = sp.simplify(-polynomial.coeff_monomial(y) / (2 * lead))
     square = sp.factor(a**2 + b**2 - polynomial.coeff_monomial(1) / lead)
+    if square.is_negative:
+        raise DerivationError(f"no point satisfies {equation}: the square of the radius is {square}")
     return Circle((a, b), sp.sqrt(square).replace(sp.Abs, lambda r: r if r.is_nonnegative else sp.Abs(r)))
 
 
@@ -57,7 +61,7 @@ def trace_circle(point, parameter, interval, equation, region, coordinates, inve
         True for the whole circle, or x >= 0, or x <= 0.
     coordinates : pair of symbols (x, y)
     inverse : expression
-        The parameter as a function of x and y.
+        The parameter as a function of x and y: atan(x/y), the parameter being the angle at the origin.
     offset : expression
         Of the angle phi.
     using : dict, optional
@@ -76,6 +80,10 @@ def trace_circle(point, parameter, interval, equation, region, coordinates, inve
         if is_zero(sp.simplify(sp.expand_trig(sp.expand(left)))) is None:
             raise DerivationError(f"{place} is not {middle} + {circle.radius}*{way}")
         step("seen from the centre", sp.Eq(place - middle, circle.radius * way, evaluate=False))
+    if inverse != sp.atan(x / y) or is_zero(sp.cos(parameter) * point[0] - sp.sin(parameter) * point[1]) is None:
+        raise DerivationError(f"{inverse} is not shown to give {parameter}: x/y is not its tangent")
+    for end in (interval.start, interval.end):
+        require_inside(end, sp.Interval(-sp.pi / 2, sp.pi / 2))
     first, last = (phi.subs(parameter, end) for end in (interval.start, interval.end))
     _covers(first, last, region, x, circle, using or {})
     return TracesOnce(sp.Tuple(*point), parameter, interval, equation, region, sp.Tuple(x, y), inverse)
@@ -95,11 +103,12 @@ def _covers(first, last, region, x, circle, using):
     middle = sp.simplify((first + last).subs(using))
     if start != 0 or middle != side * sp.pi:
         raise DerivationError(f"the arc from {first} to {last} does not begin and end on the vertical")
-    step("the arc is less than a turn", sp.Lt(last - first, 2 * sp.pi, evaluate=False))
+    if not ordered(last, first + 2 * sp.pi, strict=True):
+        raise DerivationError(f"the arc from {first} to {last} is not shown to be less than a turn")
 
 
 @tactic
-def sine_maximum(wave, parameter, offset, ends):
+def sine_maximum(wave, parameter, offset, ends, within):
     """Where amplitude*sin(2*parameter + offset) is largest on an interval, if the quarter turn is inside.
 
     Parameters
@@ -107,8 +116,12 @@ def sine_maximum(wave, parameter, offset, ends):
     wave : expression
         amplitude*sin(2*parameter + offset) with a positive amplitude.
     ends : pair
-        Of the interval of the parameter; the phase must run from `offset` to pi - `offset`, 0 < offset < pi/2.
+        Of the interval of the parameter; the phase must run from `offset` to pi - `offset`.
+    within : Interval
+        In which the offset lies: inside a quarter turn, so that the phase passes pi/2 once, and -3*pi/2 never.
     """
+    if within.is_subset(sp.Interval(-sp.pi / 2, sp.pi / 2)) is not True:
+        raise DerivationError(f"an offset in {within} may make the phase pass a maximum several times")
     phase = 2 * parameter + offset
     amplitude = sp.simplify(wave / sp.sin(phase))
     if not amplitude.is_positive or amplitude.has(parameter):

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
-from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
+from galileo_sym.ledger import DerivationError, tactic
 
+from .places import direction
 from .signs import monotone
+from .solve import unhide
 
 
 @tactic
@@ -23,16 +25,24 @@ def compose_monotone(outer, inner):
     StrictlyIncreasing or StrictlyDecreasing
         Increasing if both have one direction.
     """
+    way = direction(outer) * direction(inner)
     f, n, known = outer.args
     g, x, interval = inner.args
+    _require_no_other_way(outer, x)
     ends = ((interval.start, interval.left_open), (interval.end, interval.right_open))
     for end, is_open in ends:
         value = sp.simplify(g.subs(x, end))
         on_edge = is_open and value in (known.start, known.end)
         if known.contains(value) is not sp.true and not on_edge:
             raise DerivationError(f"{g} is {value} at {x} = {end}, where {outer} says nothing")
-    same = isinstance(outer, StrictlyIncreasing) == isinstance(inner, StrictlyIncreasing)
-    return monotone(f.subs(n, g), x, interval, 1 if same else -1)
+    return monotone(unhide(f, {n: g}), x, interval, way)
+
+
+def _require_no_other_way(outer, x):
+    """f(n) must not depend on x beside: for each x it would be another function."""
+    f, n, known = outer.args
+    if x != n and (f.has(x) or known.has(x)):
+        raise DerivationError(f"{outer} depends on {x}, and not through {n} alone")
 
 
 @tactic
@@ -55,11 +65,10 @@ def inner_monotone(claim, outer, inner, values):
     StrictlyIncreasing or StrictlyDecreasing
         Of n(x): increasing if both have one direction.
     """
-    for told in (claim, outer):
-        if not isinstance(told, StrictlyIncreasing | StrictlyDecreasing):
-            raise DerivationError(f"{told} does not say that a function is monotone")
+    way = direction(claim) * direction(outer)
     both, x, interval = claim.args
     f, n, known = outer.args
+    _require_no_other_way(outer, x)
     if both != f.subs(n, inner) or values.is_subset(known) is not True:
         raise DerivationError(f"{claim} is not {outer} of {inner}, with values in {values}")
-    return monotone(inner, x, interval, 1 if isinstance(claim, type(outer)) else -1)
+    return monotone(inner, x, interval, way)

@@ -31,9 +31,19 @@ def independent_sides(equation: sp.Eq, variable, hidden=()) -> tuple:
 
 
 @tactic
-def homogeneous(claim: Independent, function) -> sp.Eq:
-    """From f(cos(a) u)/cos(a), independent of the angle a, and its value at a = 0: f(cos(a) u) = cos(a) f(u)."""
+def homogeneous(claim: Independent, function, hidden=()) -> sp.Eq:
+    """From f(cos(a) u)/cos(a), independent of the angle a, and its value at a = 0: f(cos(a) u) = cos(a) f(u).
+
+    Parameters
+    ----------
+    claim : Independent
+    function : undefined function, f
+    hidden : sequence of undefined functions
+        Those that depend on the angle, though it is not among their arguments: u must have none.
+    """
     quotient, angle = claim.args
+    if quotient.has(*hidden):
+        raise DerivationError(f"what {quotient} is at {angle} = 0 is not known: {hidden} depend on it")
     inside = [e for e in quotient.atoms(function) if e.has(angle)]
     if len(inside) != 1 or not isinstance(claim, Independent):
         raise DerivationError(f"{claim} is not about one value of {function}")

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
-from galileo_sym.ledger import DerivationError, ForAll, StrictlyDecreasing, StrictlyIncreasing, tactic
+from galileo_sym.ledger import DerivationError, ForAll, tactic
 from galileo_sym.ledger.equivalence import is_zero
+from galileo_sym.ledger.predicates import Claim
+
+from .places import direction, require_inside
 
 
 @tactic
@@ -22,32 +25,21 @@ def instantiate(claim: ForAll, place, inside=()) -> sp.Basic:
     Raises
     ------
     DerivationError
-        The place is not shown to lie in the interval.
+        The place is not shown to lie in the interval, or has a variable that is bound inside.
     """
     if not isinstance(claim, ForAll):
         raise DerivationError(f"{claim} is not said of every value")
     statement, x, interval = claim.args
-    for low, high, strict in _order(place, interval):
-        if not _ordered(low, high, strict, inside):
-            raise DerivationError(f"{place} is not shown to lie in {interval}: {low} against {high}")
+    require_inside(place, interval, inside)
+    _require_free(place, statement)
     return statement.subs(x, place)
 
 
-def _order(place, interval):
-    """What must be in order for a place to lie in an interval: pairs, and whether strictly."""
-    for one in place.args if isinstance(place, sp.Max) else (place,):
-        yield one, interval.end, interval.right_open
-    yield interval.start, place, interval.left_open
-
-
-def _ordered(low, high, strict, known):
-    if low is sp.S.NegativeInfinity or high is sp.oo:
-        return True
-    gap = high - low
-    if gap.is_positive or (gap.is_nonnegative and not strict):
-        return True
-    allowed = (sp.StrictLessThan, sp.StrictGreaterThan) if strict else sp.core.relational._Inequality
-    return any(isinstance(r, allowed) and is_zero(r.gts - r.lts - gap) is not None for r in known)
+def _require_free(place, statement):
+    """A variable of the place must not be one that a claim inside the statement speaks of in general."""
+    bound = set().union(*(part.bound_symbols for part in statement.atoms(Claim)))
+    if bound & place.free_symbols:
+        raise DerivationError(f"{place} has a variable that {statement} binds")
 
 
 @tactic
@@ -74,8 +66,7 @@ def same_argument(claim, equal: sp.Eq, one, other) -> sp.Eq:
         Eq(f(a), f(b)), proved.
     one, other : expressions a and b
     """
-    if not isinstance(claim, StrictlyIncreasing | StrictlyDecreasing):
-        raise DerivationError(f"{claim} does not exclude that a value is taken twice")
+    direction(claim)
     f, x, interval = claim.args
     for side, place in ((equal.lhs, one), (equal.rhs, other)):
         if interval.contains(place) is not sp.true or is_zero(side - f.subs(x, place)) is None:

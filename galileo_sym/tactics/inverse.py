@@ -7,6 +7,8 @@ import sympy as sp
 from galileo_sym.ledger import DerivationError, StrictlyIncreasing, tactic
 from galileo_sym.ledger.equivalence import is_zero
 
+from .places import direction
+
 
 @tactic
 def undo(claim, round_trip: sp.Eq, values, place) -> sp.Equivalent:
@@ -30,6 +32,7 @@ def undo(claim, round_trip: sp.Eq, values, place) -> sp.Equivalent:
     Equivalent
         Eq(W(f(place)), place) and the relation of `place` to the end.
     """
+    direction(claim)
     f, w, interval = claim.args
     inverse, end = values.lhs, values.rhs
     if interval != (sp.Interval(end, sp.oo) if isinstance(values, sp.Ge) else sp.Interval(-sp.oo, end)):
@@ -42,25 +45,31 @@ def undo(claim, round_trip: sp.Eq, values, place) -> sp.Equivalent:
 
 
 @tactic
-def inverse_between(claim: StrictlyIncreasing, inverse, argument, low, high, bounds) -> sp.And:
-    """The inverse W of an increasing function f lies between `low` and `high` where its argument does.
+def inverse_between(claim: StrictlyIncreasing, round_trip: sp.Eq, values: sp.Ge, argument, high, bounds) -> sp.And:
+    """The inverse W of an increasing function f lies between its least value and `high` where its argument says so.
 
     Parameters
     ----------
     claim : StrictlyIncreasing
-        Of f, on an interval that contains `low` and `high`.
-    inverse : expression
-        W(argument), with values in that interval.
-    low, high : numbers
+        Of f, on an interval that contains the least value and `high`.
+    round_trip : Eq
+        Eq(f(W(q)), q).
+    values : Ge
+        Ge(W(q), low): where W takes its values.
+    argument : expression
+    high : number
     bounds : And
         Proved: argument > f(low) and argument < f(high).
 
     Returns
     -------
     And
-        Gt(inverse, low) and Lt(inverse, high).
+        Gt(W(argument), low) and Lt(W(argument), high).
     """
     f, w, interval = claim.args
+    low, inverse = values.rhs, values.lhs.subs(round_trip.rhs, argument)
+    if interval.start != low or is_zero(round_trip.lhs - f.subs(w, values.lhs)) is None:
+        raise DerivationError(f"{round_trip} and {values} do not make an inverse of {claim}")
     if not isinstance(claim, StrictlyIncreasing) or not (low in interval and high in interval):
         raise DerivationError(f"{claim} does not compare {low} and {high}")
     above = sp.Gt(argument, f.subs(w, low), evaluate=False)

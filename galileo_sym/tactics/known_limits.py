@@ -8,6 +8,7 @@ from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncr
 from galileo_sym.ledger.equivalence import is_zero
 
 from .limits import elementary_limit
+from .places import ordered
 
 
 @tactic
@@ -52,7 +53,7 @@ def limit_of_inverse(claim, round_trip: sp.Eq, values, above: sp.Gt) -> sp.Expr:
     values : Ge or Le
         Ge(W(q), end) or Le(W(q), end).
     above : Gt
-        Proved: the limit of a is above f(end), the least value.
+        Proved: the limit of a is above f(end), the least value. It must lie below what f tends to far out, too.
 
     Returns
     -------
@@ -71,4 +72,7 @@ def limit_of_inverse(claim, round_trip: sp.Eq, values, above: sp.Gt) -> sp.Expr:
         raise DerivationError(f"{round_trip} does not say that {inverse} is the inverse of {f}")
     if not isinstance(above, sp.StrictGreaterThan) or is_zero(above.rhs - f.subs(w, end)) is None:
         raise DerivationError(f"{above} does not compare a limit with the least value of {f}")
+    far = elementary_limit(f, w, sp.oo if rising else -sp.oo, "-" if rising else "+")
+    if not ordered(above.lhs, far, strict=True):
+        raise DerivationError(f"{above.lhs} is not shown to be below {far}, what {f} tends to")
     return inverse.subs(round_trip.rhs, above.lhs)

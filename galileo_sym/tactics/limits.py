@@ -14,9 +14,12 @@ def elementary_limit(expr, variable, point, direction="+"):
     Raises
     ------
     DerivationError
-        The expression contains LambertW (SymPy's answer would be silently wrong: parametrise first), or SymPy finds
-        no limit.
+        The expression contains LambertW (SymPy's answer would be silently wrong: parametrise first), the variable's
+        own sign forbids the side (SymPy would silently take the other one), or SymPy finds no limit.
     """
+    cannot = {"+": variable.is_nonpositive, "-": variable.is_nonnegative}[direction]
+    if cannot and sp.sympify(point).is_zero is not False:
+        raise DerivationError(f"{variable} cannot come to {point} from the side {direction!r}: it has a sign")
     if expr.has(sp.LambertW):
         raise DerivationError(f"remove LambertW by a parameter before taking the limit of {expr}")
     found = sp.limit(expr, variable, point, direction)

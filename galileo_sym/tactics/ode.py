@@ -27,8 +27,10 @@ def solve_motion(equation: sp.Eq, unknown, start: dict) -> sp.Eq:
     Raises
     ------
     DerivationError
-        The solution found misses the equation or an initial value.
+        The equation is not linear, so that there may be other solutions; or the solution found misses the equation or
+        an initial value.
     """
+    _require_linear(equation, unknown)
     time = unknown.args[0]
     plain, back = _plain(equation, unknown)
     begin = {_rename(k, plain): _rename(sp.sympify(v), plain) for k, v in start.items()}
@@ -36,6 +38,15 @@ def solve_motion(equation: sp.Eq, unknown, start: dict) -> sp.Eq:
     expression = sp.expand(_rename(found.rhs, back))
     _check(equation, unknown, expression, start, time)
     return sp.Eq(unknown, expression, evaluate=False)
+
+
+def _require_linear(equation, unknown):
+    derivatives = {e for e in equation.atoms(sp.Derivative) if e.expr == unknown}
+    names = {e: sp.Dummy("part") for e in (unknown, *derivatives)}
+    # at once, and from the outside: the function stands inside its derivatives, too
+    hidden = sp.expand((equation.lhs - equation.rhs).xreplace(names))
+    if not hidden.is_polynomial(*names.values()) or sp.Poly(hidden, *names.values()).total_degree() != 1:
+        raise DerivationError(f"{equation} is not linear in {unknown}")
 
 
 def _plain(equation, unknown):

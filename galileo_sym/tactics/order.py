@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
+from galileo_sym.ledger import DerivationError, tactic
+
+from .places import direction
 
 
 @tactic
@@ -30,12 +32,11 @@ def same_order(claim, low, high, inside=None) -> sp.Equivalent:
     DerivationError
         The claim is not about a monotone function, or a place is not shown to lie in its interval.
     """
-    if not isinstance(claim, StrictlyIncreasing | StrictlyDecreasing):
-        raise DerivationError(f"{claim} does not say that a function is monotone")
+    rises = direction(claim) > 0
     f, x, interval = claim.args
     for place in (low, high):
         known = (inside or {}).get(place, sp.FiniteSet(place))
         if interval.contains(place) is not sp.true and known.is_subset(interval) is not True:
             raise DerivationError(f"{place} is not shown to lie in {interval}, where {f} is monotone")
-    values = sp.Lt if isinstance(claim, StrictlyIncreasing) else sp.Gt
+    values = sp.Lt if rises else sp.Gt
     return sp.Equivalent(values(f.subs(x, low), f.subs(x, high), evaluate=False), sp.Lt(low, high, evaluate=False))

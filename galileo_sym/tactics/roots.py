@@ -15,6 +15,7 @@ from galileo_sym.ledger import (
 from galileo_sym.ledger.equivalence import is_zero
 
 from .boxes import sign_by_ladder
+from .places import direction
 from .signs import monotone
 
 
@@ -43,9 +44,10 @@ def least_value(falling: StrictlyDecreasing, rising: StrictlyIncreasing) -> sp.G
         Ge(f, f(place)).
     """
     f, x, before = falling.args
-    g, _, after = rising.args
+    g, z, after = rising.args
     _require(isinstance(falling, StrictlyDecreasing) and isinstance(rising, StrictlyIncreasing), falling, rising)
-    _require(f == g and before.end == after.start and before.end in before and after.start in after, falling, rising)
+    meet = before.end == after.start and before.end in before and after.start in after
+    _require((f, x) == (g, z) and meet, falling, rising)
     return sp.Ge(f, f.subs(x, before.end), evaluate=False)
 
 
@@ -53,9 +55,10 @@ def least_value(falling: StrictlyDecreasing, rising: StrictlyIncreasing) -> sp.G
 def unique_maximum(rising: StrictlyIncreasing, falling: StrictlyDecreasing) -> UniqueMaximum:
     """A continuous function that rises up to a place and falls from there on is largest there, and only there."""
     f, x, before = rising.args
-    g, _, after = falling.args
+    g, z, after = falling.args
     _require(isinstance(rising, StrictlyIncreasing) and isinstance(falling, StrictlyDecreasing), rising, falling)
-    _require(f == g and before.end == after.start and not before.right_open and not after.left_open, rising, falling)
+    meet = before.end == after.start and not before.right_open and not after.left_open
+    _require((f, x) == (g, z) and meet, rising, falling)
     whole = sp.Interval(before.start, after.end, before.left_open, after.right_open)
     return UniqueMaximum(f, x, whole, before.end)
 
@@ -82,13 +85,14 @@ def bound_by_end(claim, place, inside) -> sp.Basic:
     Gt or Lt
         f(place) against f(end).
     """
+    rises = direction(claim) > 0
     f, x, interval = claim.args
     below = interval.start is sp.S.NegativeInfinity
     end = interval.end if below else interval.start
     wanted = sp.Lt(place, end, evaluate=False) if below else sp.Gt(place, end, evaluate=False)
     if inside != wanted or end not in interval:
         raise DerivationError(f"{claim} compares only places with {wanted}, not {inside}")
-    larger = below == isinstance(claim, StrictlyDecreasing)
+    larger = below != rises
     return (sp.Gt if larger else sp.Lt)(f.subs(x, place), f.subs(x, end), evaluate=False)
 
 
@@ -118,9 +122,10 @@ def one_root(claim, level, *, ends=(None, None), assuming=()) -> ExactlyOneRoot:
     DerivationError
         The level is not shown to lie between the end values; it may equal them at closed ends only.
     """
+    rising = direction(claim) > 0
     f, x, interval = claim.args
-    first, last = (_end_value(f, x, end, told) for end, told in zip((interval.start, interval.end), ends, strict=True))
-    rising = isinstance(claim, StrictlyIncreasing)
+    sides = ((interval.start, "+"), (interval.end, "-"))
+    first, last = (_end_value(f, x, *side, told) for side, told in zip(sides, ends, strict=True))
     low, high = (first, last) if rising else (last, first)
     open_low, open_high = interval.left_open, interval.right_open
     if not rising:
@@ -186,12 +191,13 @@ def sides_of_root(function, variable, whole, place, root: ExactlyOneRoot, factor
     return monotone(function, variable, left, -sign), monotone(function, variable, right, sign)
 
 
-def _end_value(f, x, end, told):
+def _end_value(f, x, end, side, told):
     if told is None:
         return f.subs(x, end)
     if isinstance(told.lhs, sp.Limit):
-        about, fits = told.lhs.args[:3], (f, x, end)
-        fits = about[1:] == fits[1:] and is_zero(about[0] - f) is not None
+        about, *place, way = told.lhs.args
+        from_inside = end.is_infinite or str(way) == side
+        fits = place == [x, end] and from_inside and is_zero(about - f) is not None
     else:
         fits = is_zero(told.lhs - f.subs(x, end)) is not None
     if not fits:

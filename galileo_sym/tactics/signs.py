@@ -7,7 +7,7 @@ import sympy as sp
 from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
 from galileo_sym.ledger.equivalence import is_zero
 
-from .solve import unhide
+from .places import direction, ordered, require_inside
 
 DEPTH = 8  # rungs of the ladder before giving up
 
@@ -95,34 +95,60 @@ def monotone(function, variable, interval, slope_sign: int):
 
 
 @tactic
-def monotone_through(outer, inner_name, inner, variable, interval):
-    """Monotony of a composition f(n(x)) from the signs of df/dn and dn/dx, each known to SymPy by itself.
+def monotone_by_slope(function, variable, interval, factors=None):
+    """Strict monotony from the sign of the slope, which follows from assumptions and from the signs of its factors.
 
     Parameters
     ----------
-    outer : expression in `inner_name`
-    inner_name : Symbol
-        Carries the sign that n has on the interval.
-    inner : expression in `variable`
+    function : expression
+        In powers, sums and exponentials of `variable`, and its tangent.
+    interval : Interval
+        Inside a quarter turn, if there is a tangent: it has a pole beyond.
+    factors : dict, optional
+        As for `sign_by_factors`.
     """
-    slope = sp.diff(inner, variable).replace(sp.tan, lambda x: sp.Dummy("tangent", real=True))
-    direction = sign_by_factors(sp.diff(outer, inner_name), {}) * sign_by_factors(slope, {})
-    return monotone(unhide(outer, {inner_name: inner}), variable, interval, direction)
+    tangent = sp.tan(variable)
+    if function.has(tangent):
+        for end, is_open in ((interval.start, interval.left_open), (interval.end, interval.right_open)):
+            require_inside(end, sp.Interval(-sp.pi / 2, sp.pi / 2, not is_open, not is_open))
+    slope = sp.diff(function, variable).subs(tangent, sp.Dummy("tangent", real=True))
+    return monotone(function, variable, interval, sign_by_factors(slope, factors or {}))
 
 
 @tactic
-def values_ordered(claim, low, high) -> sp.Lt:
-    """From a monotone function and low < high in its interval: its smaller value, then its larger one."""
-    function, variable, _ = claim.args
+def values_ordered(claim, low, high, known=()) -> sp.Lt:
+    """From a monotone function and low < high in its interval: its smaller value, then its larger one.
+
+    Parameters
+    ----------
+    claim : StrictlyIncreasing or StrictlyDecreasing
+    low, high : expressions
+    known : sequence of relations
+        Proved: that low < high, and that both lie in the interval, where SymPy does not see it.
+    """
+    rises = direction(claim) > 0
+    function, variable, interval = claim.args
+    for place in (low, high):
+        require_inside(place, interval, known)
+    if not ordered(low, high, strict=True, known=known):
+        raise DerivationError(f"{low} < {high} is not shown")
     first, last = function.subs(variable, low), function.subs(variable, high)
-    pair = (first, last) if isinstance(claim, StrictlyIncreasing) else (last, first)
-    return sp.Lt(*pair, evaluate=False)
+    return sp.Lt(first, last, evaluate=False) if rises else sp.Lt(last, first, evaluate=False)
 
 
 @tactic
-def positive_before_root(claim, root, variable):
-    """A strictly decreasing function that vanishes at `root` is positive exactly before it."""
-    function, x, _ = claim.args
+def positive_before_root(claim, root, variable, known=()):
+    """A strictly decreasing function that vanishes at `root` is positive exactly before it.
+
+    Parameters
+    ----------
+    claim : StrictlyDecreasing
+    root, variable : expressions
+        Both in the interval of the claim; `known` has the relations that say so, where SymPy does not see it.
+    """
+    function, x, interval = claim.args
+    for place in (root, variable):
+        require_inside(place, interval, known)
     if not isinstance(claim, StrictlyDecreasing):
         raise DerivationError(f"{claim} is not a strictly decreasing function")
     if is_zero(function.subs(x, root)) is None:
@@ -148,7 +174,8 @@ def arguments_reversed(claim, below, low, image, high, inside=()) -> sp.Lt:
     for place in (low, high):
         if interval.contains(place) is not sp.true and not any(_keeps(fact, place, interval) for fact in inside):
             raise DerivationError(f"{place} is not shown to lie in {interval}, where {function} decreases")
-    fits = isinstance(claim, StrictlyDecreasing) and is_zero(below.lts - function.subs(x, low))
+    strict = isinstance(below, sp.StrictLessThan | sp.StrictGreaterThan)
+    fits = strict and isinstance(claim, StrictlyDecreasing) and is_zero(below.lts - function.subs(x, low))
     if not fits or is_zero(image.lhs - function.subs(x, high)) is None or is_zero(image.rhs - below.gts) is None:
         raise DerivationError(f"{below} and {image} are not about {claim}")
     return sp.Lt(high, low, evaluate=False)

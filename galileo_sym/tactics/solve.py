@@ -30,6 +30,7 @@ def isolate(equation: sp.Eq, unknown, *, drop=None, hide=()) -> sp.Eq:
     hide = dict(hide)
     ready = equation.subs(hide) if hide else equation
     roots = sp.solve(ready.lhs - ready.rhs, unknown)
+    _require_all_roots(ready, unknown, roots, drop)
     back = {v: k for k, v in hide.items()}
     left = [unhide(r, back) for r in roots]
     for root in drop or {}:
@@ -51,6 +52,15 @@ def unhide(root, back: dict):
     if root.is_positive and any(p.exp.is_Rational and p.exp.q == 2 for p in root.atoms(sp.Pow)):
         return sp.sqrt((root**2).subs(back))
     return root.subs(back)
+
+
+def _require_all_roots(equation, unknown, roots, drop):
+    """Refuse where SymPy gives one of several roots: W on its principal branch, an angle in one turn."""
+    if any(r.has(sp.LambertW) for r in roots) and not equation.has(sp.LambertW):
+        raise DerivationError(f"{equation} has a root on each branch of W: {roots} may not be all")
+    periodic = [e for e in equation.atoms(sp.sin, sp.cos, sp.tan, sp.cot) if e.args[0].has(unknown)]
+    if periodic and not drop:
+        raise DerivationError(f"{equation} has a root in every turn of {unknown}: use solve_angle, or drop some")
 
 
 @tactic

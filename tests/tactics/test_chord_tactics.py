@@ -23,7 +23,7 @@ from galileo_sym.tactics import (
     least_value,
     limit_along,
     limit_by_parameter,
-    monotone_through,
+    monotone_by_slope,
     not_negative,
     positive_before_root,
     read_circle,
@@ -180,25 +180,47 @@ class TestSigns:
             with refused:
                 not_negative(p * (x - y), facts)
 
-    def test_monotony_through_a_decreasing_part(self):
-        where = Interval.open(0, 1)
-        assert isinstance(monotone_through(1 / p, p, 2 - x, x, where), StrictlyIncreasing)
-        assert isinstance(monotone_through(p**2, p, 2 - x, x, where), StrictlyDecreasing)
-        with refused:
-            monotone_through(p + 1 / p, p, 2 - x, x, where)
+    def test_monotony_by_the_slope(self):
+        whole, turn = Interval.open(0, oo), Interval.Ropen(0, sp.atan(1 / k))
+        assert monotone_by_slope(1 / p, p, whole) == StrictlyDecreasing(1 / p, p, whole)
+        assert monotone_by_slope(1 + q * sp.tan(x), x, turn) == StrictlyIncreasing(1 + q * sp.tan(x), x, turn)
+        for function, variable, where in (
+            (p + 1 / p, p, whole),
+            (-1 / x, x, Interval(-1, 1)),  # a pole between
+            (sp.tan(x), x, Interval(0, pi)),
+            (sp.tan(x), x, Interval(0, pi / 2)),
+            (sp.tan(2 * x), x, Interval(0, 1)),
+        ):
+            with refused:
+                monotone_by_slope(function, variable, where)
 
     def test_values_are_ordered_as_the_function_goes(self):
         rising, falling = (kind(x**3, x, Interval(0, 9)) for kind in (StrictlyIncreasing, StrictlyDecreasing))
         assert values_ordered(rising, 1, 2) == Lt(1, 8, evaluate=False)
         assert values_ordered(falling, 1, 2) == Lt(8, 1, evaluate=False)
+        assert values_ordered(rising, 0, p, [Lt(p, 9)]) == Lt(0, p**3, evaluate=False)
+        for low, high, known in (
+            (2, 1, ()),
+            (-1, 2, ()),
+            (1, 10, ()),
+            (0, p, ()),
+            (q, p, [Lt(p, 9)]),
+            (p, p, [Lt(p, 9)]),
+        ):
+            with refused:
+                values_ordered(rising, low, high, known)
 
     def test_positive_before_the_root(self):
         falling = StrictlyDecreasing(1 - x**2, x, Interval(0, 9))
-        assert positive_before_root(falling, 1, y) == sp.Equivalent(Gt(1 - y**2, 0), Lt(y, 1))
+        inside = [Ge(y, 0), Le(y, 9)]
+        assert positive_before_root(falling, 1, y, inside) == sp.Equivalent(Gt(1 - y**2, 0), Lt(y, 1))
+        for root, place in ((1, y), (-1, 0)):
+            with pytest.raises(DerivationError, match="not shown to lie"):
+                positive_before_root(falling, root, place)
         with pytest.raises(DerivationError, match="vanish"):
-            positive_before_root(falling, 2, y)
+            positive_before_root(falling, 2, y, inside)
         with pytest.raises(DerivationError, match="decreasing"):
-            positive_before_root(StrictlyIncreasing(x - 1, x, Interval(0, 9)), 1, y)
+            positive_before_root(StrictlyIncreasing(x - 1, x, Interval(0, 9)), 1, y, inside)
 
     FALLING = StrictlyDecreasing(exp(-x), x, Interval(0, oo))
     BELOW, IMAGE = Lt(exp(-p), q, evaluate=False), _eq(exp(-k), q)
@@ -279,6 +301,7 @@ class TestCircles:
             "equation": self.UNIT,
             "region": sp.true,
             "offset": sp.S.Zero,
+            "inverse": sp.atan(x / y),
         } | other
         with recording():
             return trace_circle(
@@ -288,7 +311,7 @@ class TestCircles:
                 given["equation"],
                 given["region"],
                 (x, y),
-                sp.atan(x / y),
+                given["inverse"],
                 given["offset"],
             )
 
@@ -306,6 +329,9 @@ class TestCircles:
             {"interval": Interval(0, pi / 4), "region": Ge(x, 0)},
             {"interval": Interval(pi / 8, pi / 2), "region": Ge(x, 0)},
             {"region": Ge(y, 0)},
+            {"inverse": sp.atan(y / x)},
+            {"inverse": sp.Integer(42)},
+            {"equation": _eq(x**2 + y**2, sp.S.One), "point": (sin(2 * r), cos(2 * r))},  # the angle is not that at A
             {"offset": pi / 7},
             {"equation": _eq(x**2 + (y - 1) ** 2, sp.Integer(2))},
             {"equation": _eq(x**2 + (y - 2) ** 2, sp.S.One)},
@@ -320,10 +346,13 @@ class TestCircles:
             self._trace(**changed)
 
     def test_the_widest_point(self):
-        assert sine_maximum(p * sin(2 * r + x), r, x, (0, (pi - 2 * x) / 2)).equals((pi / 2 - x) / 2)
+        acute = Interval.open(0, pi / 2)
+        assert sine_maximum(p * sin(2 * r + x), r, x, (0, (pi - 2 * x) / 2), acute).equals((pi / 2 - x) / 2)
         for wave, ends in ((-p, (0, pi / 2 - x)), (p * r, (0, pi / 2 - x)), (p, (0, pi / 2)), (p, (x, pi / 2 - x))):
             with refused:
-                sine_maximum(wave * sin(2 * r + x), r, x, ends)
+                sine_maximum(wave * sin(2 * r + x), r, x, ends, acute)
+        with pytest.raises(DerivationError, match="several times"):
+            sine_maximum(sin(2 * r - 2 * pi), r, -2 * pi, (0, 5 * pi / 2), Interval(-2 * pi, 0))
 
 
 class TestFactors:
@@ -383,11 +412,10 @@ class TestInverses:
     def test_bounds_of_the_inverse(self):
         bounds = And(Gt(q, x * exp(x), evaluate=False).subs(x, -1), Lt(q, 0, evaluate=False), evaluate=False)
         sides = And(Gt(y, -exp(-1), evaluate=False), Lt(y, 0, evaluate=False), evaluate=False)
-        assert inverse_between(self.RISING, LambertW(y), y, -1, 0, sides).args
+        values = Ge(LambertW(y), -1, evaluate=False)
+        assert inverse_between(self.RISING, self.ROUND, values, y, 0, sides).args
         with refused:
-            inverse_between(self.RISING, LambertW(y), y, -1, 0, bounds)
-        with refused:
-            inverse_between(self.RISING, LambertW(y), y, -2, 0, sides)
+            inverse_between(self.RISING, self.ROUND, values, y, 0, bounds)
 
     def test_the_derivative_of_w(self):
         w = f(x)

@@ -151,14 +151,18 @@ def test_inverse_undoes_where_it_takes_its_values():
 
 
 def test_inverse_between_needs_both_bounds():
-    inverse = LambertW(q)
+    inverse, values = LambertW(q), Ge(LambertW(q), -1, evaluate=False)
     bounds = And(Gt(q, -exp(-1)), Lt(q, 0))
     expected = And(Gt(inverse, -1, evaluate=False), Lt(inverse, 0, evaluate=False))
-    assert inverse_between(RISING, inverse, q, sp.S.NegativeOne, sp.S.Zero, bounds) == expected
-    with pytest.raises(DerivationError):
-        inverse_between(RISING, inverse, q, sp.S.NegativeOne, sp.S.One, bounds)
-    with pytest.raises(DerivationError):
-        inverse_between(FALLING, inverse, q, sp.S.NegativeOne, sp.S.Zero, bounds)
+    assert inverse_between(RISING, ROUND_TRIP, values, q, sp.S.Zero, bounds) == expected
+    for claim, round_trip, told, high in (
+        (RISING, ROUND_TRIP, values, sp.S.One),
+        (FALLING, ROUND_TRIP, values, sp.S.Zero),
+        (RISING, Eq(2 * LambertW(q) * exp(LambertW(q)), q), values, sp.S.Zero),
+        (RISING, ROUND_TRIP, Ge(LambertW(q), -2, evaluate=False), sp.S.Zero),
+    ):
+        with pytest.raises(DerivationError):
+            inverse_between(claim, round_trip, told, q, high, bounds)
 
 
 def test_limit_along_a_path_needs_the_right_side():
