@@ -1,7 +1,7 @@
 """Sections 1 and 2: Galileo's kinematical paradox without resistance, equations (1) to (11)."""
 
 import sympy as sp
-from sympy import And, Eq, Interval, Tuple, cos, pi, sin, sqrt
+from sympy import Abs, And, Eq, Interval, Tuple, Union, cos, pi, sin, sqrt
 
 from galileo_sym.derivations.chord.notation import (
     D,
@@ -26,6 +26,7 @@ from galileo_sym.derivations.chord.shared import without_s
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,
+    REAL,
     Chapter,
     DerivationError,
     Domain,
@@ -50,11 +51,11 @@ chapter = Chapter("chord.galileo", notation, "2. Galileo's kinematical paradox: 
 
 QUARTER = Interval(-pi / 2, pi / 2)
 INSIDE = Interval.open(-pi / 2, pi / 2)
-TO_THE_RIGHT = Interval.open(0, pi / 2)
+NOT_UPRIGHT = Union(Interval.open(-pi / 2, 0), Interval.open(0, pi / 2), evaluate=False)
 MOTION = Domain({g: POSITIVE, t: NONNEGATIVE, theta: QUARTER})
 CHORD = Domain({g: POSITIVE, D: POSITIVE, theta: INSIDE})
 FALL = Domain({g: POSITIVE, D: POSITIVE})
-CIRCLE = Domain({g: POSITIVE, t: POSITIVE, theta: QUARTER})
+MOMENT = Domain({g: POSITIVE, t: POSITIVE, theta: QUARTER})
 LENGTH_ZERO = Erratum(
     ("C10",),
     "cos(theta) > 0 is needed: at theta = ±pi/2 the chord has length 0 and t_AB is 0/0",
@@ -122,40 +123,42 @@ def descent_time(eq2, eq3):
 
 @chapter.derive(
     "chord.claim.paradox-AB",
-    Independent(sqrt(2 * D / g), theta),
-    CHORD,
+    And(Eq(t_AB, sqrt(2 * D / g)), Independent(t_AB, theta)),
+    Domain(CHORD.ranges, where={t_AB: sqrt(2 * s_AB / (g * cos(theta))), s_AB: D * cos(theta)}),
     erratum=Erratum(("C10",), "for |theta| < pi/2: at theta = ±pi/2 the chord has length 0 and no descent time"),
 )
 def paradox(eq4):
     """The angle is not in (4)."""
-    return Independent(eq4.of(t_AB), theta)
+    if eq4.of(t_AB).has(theta):
+        raise DerivationError(f"{eq4.statement} depends on the angle")
+    return And(eq4.equation, Independent(t_AB, theta))
 
 
 @chapter.derive(
     "chord.claim.paradox-BC",
     Eq(t_BC, sqrt(2 * D / g)),
-    Domain({g: POSITIVE, D: POSITIVE, theta: TO_THE_RIGHT}),
+    Domain({g: POSITIVE, D: POSITIVE, theta: NOT_UPRIGHT}),
 )
 def paradox_from_b(law__frictionless, eq3):
-    """BC is inclined by pi/2 - theta, and Pythagoras gives its length D sin(theta)."""
-    steep = law__frictionless.subs(theta, pi / 2 - theta)
+    """BC is inclined by pi/2 - |theta|, and Pythagoras gives its length D sin|theta|."""
+    steep = law__frictionless.subs(theta, pi / 2 - Abs(theta))
     motion = solve_motion(steep, s(t), at_rest(s(t))).rhs
     length = isolate(
         Eq(s_BC**2, D**2 - eq3.of(s_AB) ** 2),
         s_BC,
         hide={sp.cos(theta) ** 2: 1 - sp.Symbol("sine", positive=True) ** 2},
     )
-    length = length.subs(sp.Symbol("sine", positive=True), sin(theta))
+    length = length.subs(sp.Symbol("sine", positive=True), sin(Abs(theta)))
     step("length of BC", length)
     arrival = Eq(length.rhs, motion.subs(t, t_BC), evaluate=False)
     step("arrival at C", arrival)
-    return isolate(arrival, t_BC, hide={sin(theta): sp.Symbol("c", positive=True)})
+    return isolate(arrival, t_BC, hide={sin(Abs(theta)): sp.Symbol("c", positive=True)})
 
 
 @chapter.derive(
     "chord.claim.free-fall-AC-equals-slide-BC",
     And(Eq(t_AC, sqrt(2 * D / g)), Eq(t_BC, sqrt(2 * D / g)), Eq(t_AC, t_BC)),
-    Domain({g: POSITIVE, D: POSITIVE, theta: TO_THE_RIGHT}),
+    Domain({g: POSITIVE, D: POSITIVE, theta: NOT_UPRIGHT}),
 )
 def fall_and_slide(claim__paradox_BC, eq1):
     """The fall along AC is (1) at theta = 0."""
@@ -164,13 +167,13 @@ def fall_and_slide(claim__paradox_BC, eq1):
     return And(fall, slide, step("equal times", Eq(t_AC, t_BC)))
 
 
-@chapter.derive("chord.eq7", Eq(2 * sin(theta) * cos(theta), sin(2 * theta)), Domain({theta: QUARTER}))
+@chapter.derive("chord.eq7", Eq(2 * sin(theta) * cos(theta), sin(2 * theta)), Domain({theta: REAL}))
 def double_sine():
     """Addition theorem."""
     return Eq(sp.expand_trig(sin(2 * theta)), sin(2 * theta), evaluate=False)
 
 
-@chapter.derive("chord.eq8", Eq(2 * cos(theta) ** 2, 1 + cos(2 * theta)), Domain({theta: QUARTER}))
+@chapter.derive("chord.eq8", Eq(2 * cos(theta) ** 2, 1 + cos(2 * theta)), Domain({theta: REAL}))
 def double_cosine():
     """Addition theorem."""
     return Eq(1 + sp.expand_trig(cos(2 * theta)), 1 + cos(2 * theta), evaluate=False)
@@ -190,7 +193,7 @@ def ordinate(setup, eq1, eq8):
     return And(Eq(y, setup.of(y)), Eq(y, product.subs(cos(theta) ** 2, eq8.rhs / 2), evaluate=False))
 
 
-@chapter.derive("chord.eq9", Eq(x**2 + (y - g * t**2 / 4) ** 2, (g * t**2 / 4) ** 2), CIRCLE)
+@chapter.derive("chord.eq9", Eq(x**2 + (y - g * t**2 / 4) ** 2, (g * t**2 / 4) ** 2), MOTION)
 def synchronous_circle(eq5, eq6):
     """Eliminate theta."""
     return eliminate_angle(without_s(eq5, x), without_s(eq6, y), 2 * theta, (x, y))
@@ -229,7 +232,7 @@ def centre_acceleration(eq9):
         Tuple(x, y),
         sp.atan(x / y),
     ),
-    CIRCLE,
+    MOMENT,
     erratum=Erratum(("C10",), "the whole circle takes -pi/2 <= theta <= pi/2; both ends give the point A"),
 )
 def whole_circle(eq5, eq6, eq9):
@@ -246,7 +249,7 @@ def whole_circle(eq5, eq6, eq9):
         Eq(CENTRE, Tuple(0, g * t**2 / 4)),
         Eq(y_c(t).diff(t, 2), g / 2),
     ),
-    CIRCLE,
+    MOTION,
 )
 def expanding_circle(eq5, eq6, eq9, claim__centre_accel):
     """All beads are on (9), which passes through A; the centre has a constant acceleration."""
