@@ -40,6 +40,7 @@ from galileo_sym.ledger import (
     DerivationError,
     Domain,
     Erratum,
+    ForAll,
     TracesOnce,
     UniqueMaximum,
     step,
@@ -48,8 +49,8 @@ from galileo_sym.ledger import (
 from galileo_sym.tactics import (
     as_wave,
     isolate,
+    not_negative,
     read_circle,
-    sign_by_factors,
     sine_maximum,
     solve_motion,
     start_of,
@@ -133,13 +134,17 @@ def not_a_circle(claim__union_of_arcs):
     And(
         UniqueMaximum(RIGHT_POINT[0], theta, RIGHT, LAST / 2),
         Eq(Tuple(x, y), Tuple(K * (sqrt(1 + mu**2) - mu), K)),
-        Le((x - mu * K) ** 2 + (y - K) ** 2, K**2 * (1 + mu**2)),
+        ForAll(Le((RIGHT_POINT[0] - mu * K) ** 2 + (RIGHT_POINT[1] - K) ** 2, K**2 * (1 + mu**2)), theta, RIGHT),
+        ForAll(Le((LEFT_POINT[0] + mu * K) ** 2 + (LEFT_POINT[1] - K) ** 2, K**2 * (1 + mu**2)), theta, LEFT),
     ),
-    Domain({g: POSITIVE, mu: POSITIVE, t: POSITIVE, theta: sp.FiniteSet(LAST / 2)}, where={theta_c: atan(mu)}),
+    Domain(
+        {g: POSITIVE, mu: POSITIVE, t: POSITIVE, theta: sp.FiniteSet(LAST / 2)},
+        where={theta_c: atan(mu), x: RIGHT_POINT[0], y: RIGHT_POINT[1]},
+    ),
 )
 def spindle(claim__union_of_arcs, support__lens_parametrisation, support__theta_c_max, eq21, eq24, eq13):
-    """Widest where 2 theta + theta_c = pi/2; the right arc lies inside the left circle."""
-    arc = next(a for a in claim__union_of_arcs.parts if a.args[4] == sp.Ge(x, 0))
+    """Widest where 2 theta + theta_c = pi/2; each arc lies inside the other one's circle, so that they bound a lens."""
+    arc, left_arc = (next(a for a in claim__union_of_arcs.parts if a.args[4] == side(x, 0)) for side in (sp.Ge, Le))
     across = next(e for e in support__lens_parametrisation.parts if e.lhs.has(x))
     acute = isolate(support__theta_c_max.equation, theta_max).rhs
     widest = sine_maximum(across.rhs, theta, theta_c, (sp.S.Zero, acute), ACUTE)
@@ -148,17 +153,21 @@ def spindle(claim__union_of_arcs, support__lens_parametrisation, support__theta_
     step("the widest point", Eq(theta, place_of_widest, evaluate=False))
     height = next(e for e in support__lens_parametrisation.parts if e.lhs.has(y))
     place = [isolate(e.subs(theta, widest), c).rhs for e, c in ((across, x), (height, y))]
-    inside = sp.factor((eq24.lhs - eq24.rhs) - (eq21.lhs - eq21.rhs))
-    step("on (21) the left side of (24) differs from the right one by", Le(inside, 0, evaluate=False))
-    if sign_by_factors(inside, {t: Gt(t, 0), x: Gt(x, 0)}) != -1:
-        raise DerivationError(f"{inside} has not the sign of -x")
-    seen = read_circle(eq24.equation, x, y)
-    disc = Le((x - seen.centre[0]) ** 2 + (y - seen.centre[1]) ** 2, seen.radius**2, evaluate=False)
     return And(
         UniqueMaximum(arc.args[0][0], theta, arc.args[2], place_of_widest),
         Eq(Tuple(x, y), Tuple(*place)),
-        disc,
+        within_other(arc, eq21, eq24),
+        within_other(left_arc, eq24, eq21),
     )
+
+
+def within_other(arc, own, other):
+    """Each point of an arc lies in the disc of the other circle: on its own one the two equations differ by c*x."""
+    (across, down), angle, angles, _, region, _, _ = arc.args
+    not_negative(sp.factor((own.lhs - own.rhs) - (other.lhs - other.rhs)), {x: region})
+    seen = read_circle(other.equation, x, y)
+    a, b = seen.centre
+    return ForAll(Le((across - a) ** 2 + (down - b) ** 2, seen.radius**2, evaluate=False), angle, angles)
 
 
 if __name__ == "__main__":

@@ -26,6 +26,7 @@ from galileo_sym.ledger import (
     Chapter,
     DerivationError,
     Domain,
+    ForAll,
     TracesOnce,
     UniqueMaximum,
     step,
@@ -61,6 +62,13 @@ def circle(side):
     return Eq((x + side * mu * Y(t)) ** 2 + (y - Y(t)) ** 2, (1 + mu**2) * Y(t) ** 2)
 
 
+def in_disc(side, angles):
+    """The beads of one side are in the disc of the circle that those of the other are on."""
+    across, down = bead(side)
+    other = circle(-side)
+    return ForAll(Le(other.lhs.subs({x: across, y: down}), other.rhs), theta, angles)
+
+
 ARCS = [
     TracesOnce(bead(side), theta, angles, circle(side), region, Tuple(x, y), atan(x / y))
     for side, angles, region in BOTH_SIDES
@@ -73,9 +81,12 @@ ARCS = [
         *ARCS,
         UniqueMaximum(bead(1)[0], theta, Interval(0, LAST), LAST / 2),
         Eq(Tuple(x, y), Tuple(Y(t) * (sqrt(1 + mu**2) - mu), Y(t))),
-        Le((x - mu * Y(t)) ** 2 + (y - Y(t)) ** 2, (1 + mu**2) * Y(t) ** 2),
+        *(in_disc(side, angles) for side, angles, _ in BOTH_SIDES),
     ),
-    Domain({**MOMENT, theta: sp.FiniteSet(LAST / 2)}, where={Y(t): FALLEN / 2, s(t): FALLEN * SLIDE}),
+    Domain(
+        {**MOMENT, theta: sp.FiniteSet(LAST / 2)},
+        where={Y(t): FALLEN / 2, s(t): FALLEN * SLIDE, x: bead(1)[0], y: bead(1)[1]},
+    ),
     elsewhere=("chord.claim.spindle", "chord.claim.union-of-arcs"),
 )
 def another_moment(
