@@ -112,8 +112,8 @@ def even_order(thm1__factor):
 )
 def monotone_parts(thm1__factor):
     """The slope is (x - x_0)^(N - 1) times N F(x) + (x - x_0) F'(x), which is N a_N at x_0 and keeps its sign."""
-    slope = sp.diff(thm1__factor.of(f(x)), x)
-    return And(*monotone_beside(f(x), x, slope, N, _near(thm1__factor)))
+    factored = Eq(f(x), thm1__factor.of(f(x)), evaluate=False)
+    return And(*monotone_beside(factored, x, N, _near(thm1__factor)))
 
 
 @chapter.derive("projectile.thm1.ratio", Eq((y(x) - x_0) ** N / X**N, F(x) / F(y(x))), BELOW)

@@ -119,10 +119,9 @@ def limit_at_right_angle(lemma__c):
     return Eq(Limit(FACTOR, theta, pi / 2, "-"), limit, evaluate=False)
 
 
-def _times_factor(form, bounds):
-    """The sign of dR/dtheta divided by the factor."""
-    rest = sp.cancel(form.rhs / FACTOR)
-    return sign_on(rest, {**box_of(*bounds.parts), u: BEYOND, **trig_box(rest, theta, BETWEEN)})
+def _signs(form, bounds):
+    """Where the parts of dR/dtheta lie."""
+    return {**box_of(*bounds.parts), u: BEYOND, **trig_box(form.rhs, theta, BETWEEN)}
 
 
 @chapter.derive(
@@ -135,7 +134,7 @@ def _times_factor(form, bounds):
 )
 def stationary(lemma__f__second, lemma__a, thm2__factor_increasing, thm2__limit_0, thm2__limit_pi2):
     """The rest of the slope has no zero; the factor increases from -1 to oo, so that it vanishes once."""
-    _times_factor(lemma__f__second, lemma__a)
+    sign_on(sp.cancel(lemma__f__second.rhs / FACTOR), _signs(lemma__f__second, lemma__a))
     ends = (thm2__limit_0.equation, thm2__limit_pi2.equation)
     once = one_root(thm2__factor_increasing.statement, sp.S.Zero, ends=ends)
     same = Equivalent(Eq(lemma__f__second.lhs, 0), Eq(once.args[0], 0))
@@ -153,10 +152,10 @@ def stationary(lemma__f__second, lemma__a, thm2__factor_increasing, thm2__limit_
 )
 def maximum(thm2__stationary, thm2__factor_increasing, lemma__f__second, lemma__a):
     """Let theta_max be the root: dR/dtheta is positive on its left and negative on its right."""
-    sign = _times_factor(lemma__f__second, lemma__a)
     once = next(e for e in thm2__stationary.parts if isinstance(e, ExactlyOneRoot))
     increases = thm2__factor_increasing.statement
-    sides = sides_of_root(lemma__f__second.lhs.expr, theta, HALF_TURN, theta_max, once, increases, sign)
+    signs = _signs(lemma__f__second, lemma__a)
+    sides = sides_of_root(lemma__f__second.equation, HALF_TURN, theta_max, once, increases, signs)
     return And(unique_maximum(*sides), *sides)
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from galileo_sym.ledger import DerivationError, tactic
+from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
 from galileo_sym.ledger.local import LocalExtremum, MonotoneBeside
 
 from .leading_terms import value_at_centre
@@ -23,8 +23,14 @@ class NearValue:
     value: sp.Expr
     name: sp.Dummy  # stands for `value`
 
-    def put(self, expr):
-        """The expression with each F(...) as a positive multiple of the value, and the value by name."""
+    def put(self, expr, away):
+        """The expression with each F(...) as a positive multiple of the value, and the value by name.
+
+        Each F must be taken at a place that is near as the distance `away` is small.
+        """
+        far = [f for f in expr.atoms(self.function) if f.args[0].subs(away, 0) != self.place]
+        if far:
+            raise DerivationError(f"the sign of {far} is not known near {self.place}")
         positive = {f: self.name * sp.Dummy("share", positive=True) for f in expr.atoms(self.function)}
         return expr.xreplace(positive).xreplace({self.value: self.name})
 
@@ -74,25 +80,37 @@ def even_at_extremum(deviation, x, order, near: NearValue, away) -> sp.Implies:
     """
     half = sp.Dummy("half", integer=True, nonnegative=True)
     sides = [deviation.subs(x, near.place + side * away) for side in (1, -1)]
-    product = sp.Mul(*(near.put(side).subs(order, 2 * half + 1) for side in sides))
+    product = sp.Mul(*(near.put(side, away).subs(order, 2 * half + 1) for side in sides))
     if not sp.powsimp(product).is_negative:
         raise DerivationError(f"{deviation} does not change sign at {near.place} for odd {order}")
     return sp.Implies(sp.Eq(sp.Mod(order, 2), 1), sp.Lt(sp.Mul(*sides), 0))
 
 
 @tactic
-def monotone_beside(f, x, slope, order, near: NearValue):
+def monotone_beside(factored: sp.Eq, x, order, near: NearValue):
     """Strict monotony of f on both sides of a place from its slope (x - place)^(order - 1) G(x), G(place) not 0.
 
     By the mean value theorem: the slope has one sign on each side.
+
+    Parameters
+    ----------
+    factored : Eq
+        Eq(f(x), constant + (x - place)^order F(x)), with the unknown function F of `near`, a power series.
+    x : Symbol
+    order : Symbol
+        A positive whole number.
 
     Returns
     -------
     pair of MonotoneBeside
         To the right, in the direction of the value of F, and to the left.
     """
+    f, slope = factored.lhs, sp.diff(factored.rhs, x)
     power = (x - near.place) ** (order - 1)
     growth = sp.expand(sp.powsimp(sp.expand(slope / power)))
+    unknown = growth.atoms(near.function, sp.Derivative)
+    if not growth.xreplace({e: sp.Dummy("unknown") for e in unknown}).is_polynomial(x):
+        raise DerivationError(f"{growth} may be infinite at {near.place}")
     at_place = sp.simplify(_at_place(growth, x, near))
     if not at_place.xreplace({near.value: near.name}).is_nonzero:
         raise DerivationError(f"{growth} may vanish at {near.place}")
@@ -173,6 +191,6 @@ def extremum_between(falling, rising) -> LocalExtremum:
     f, x, before = falling.args
     g, z, after = rising.args
     meet = before.end == after.start and before.end in before and after.start in after
-    if (f, x) != (g, z) or type(falling) is type(rising) or not meet:
+    if {type(falling), type(rising)} != {StrictlyIncreasing, StrictlyDecreasing} or (f, x) != (g, z) or not meet:
         raise DerivationError(f"{falling} and {rising} do not meet in an extremum")
     return LocalExtremum(f, x, before.end)

@@ -43,10 +43,13 @@ def _narrow(box, relation: Relational):
 def trig_box(expr, variable, interval) -> dict:
     """The signs of the sines, cosines and tangents in an expression while `variable` runs through an interval.
 
-    A function that vanishes, or has its pole, at a closed end has no sign: give the interior, or an open end.
+    A function that vanishes, or has its pole, at a closed end has no sign: give the interior, or an open end. Only
+    arguments that are linear in the variable are looked at, since those run from one end to the other.
     """
     box = {}
     for applied in sorted(expr.atoms(sp.sin, sp.cos, sp.tan), key=str):
+        if sp.diff(applied.args[0], variable).has(variable):
+            continue
         ends = [(applied.args[0].subs(variable, e), is_open) for e, is_open in _ends(interval)]
         (first, first_open), (last, last_open) = sorted(ends, key=lambda end: end[0])
         for function, low, high, values in _QUADRANTS:

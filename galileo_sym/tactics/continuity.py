@@ -7,7 +7,7 @@ import sympy as sp
 from galileo_sym.ledger import Continuous, DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
 from galileo_sym.ledger.equivalence import is_zero
 
-from .limits import elementary_limit
+from .limits import elementary_limit, require_approach
 from .signs import monotone
 
 _EVERYWHERE = (sp.Symbol, sp.Add, sp.Mul, sp.exp, sp.sin, sp.cos, sp.atan)
@@ -59,6 +59,8 @@ def continuous_on(expr, variable, interval, *, known=(), facts=()) -> Continuous
     DerivationError
         A part is not known to be continuous, or not shown to be defined.
     """
+    if expr.has(sp.zoo, sp.nan, sp.oo, -sp.oo):
+        raise DerivationError(f"{expr} has no finite value")
     for part in sp.preorder_traversal(expr):
         if part.has(variable) and not _continuous(part, known, facts):
             raise DerivationError(f"{part} is not shown to be continuous in {variable} on {interval}")
@@ -95,14 +97,20 @@ def _told(kind, expr, bound, facts):
 
 @tactic
 def limit_inside(known: Continuous, applied, variable, point, direction="+") -> sp.Eq:
-    """The limit of f(argument), f continuous: the value of f at the limit of the argument."""
+    """The limit of f(argument), f continuous: the value of f at the limit of the argument.
+
+    At an end of the interval where f is continuous the argument must come from inside.
+    """
     f, q, interval = known.args
     argument = applied.args[0]
-    if applied != f.subs(q, argument):
+    if not isinstance(known, Continuous) or applied != f.subs(q, argument):
         raise DerivationError(f"{known} is not about {applied}")
     inside = elementary_limit(argument, variable, point, direction)
     if interval.contains(inside) != sp.true:
         raise DerivationError(f"{argument} tends to {inside}, outside {interval}")
+    for end, side in ((interval.start, "+"), (interval.end, "-")):
+        if inside == end:
+            require_approach(q, end, side, variable, argument, point, direction)
     return sp.Eq(sp.Limit(applied, variable, point, direction), f.subs(q, inside), evaluate=False)
 
 
@@ -125,6 +133,8 @@ def limit_of_parts(expr, parts: dict):
     for part, name in names.items():
         hidden = hidden.subs(part, name)
     put = {name: parts[part] for part, name in names.items()}
+    if any(sp.sympify(value).is_finite is False for value in put.values()):
+        raise DerivationError(f"not every part of {expr} has a finite limit: {parts}")
     if hidden.free_symbols - set(put):
         raise DerivationError(f"the limit of {sorted(map(str, hidden.free_symbols - set(put)))} is not given")
     facts = [sp.Ne(e.base, 0) for e in hidden.atoms(sp.Pow) if e.base.xreplace(put).is_nonzero]
@@ -158,8 +168,12 @@ def filled_in(pieces: Continuous, values: dict, limits) -> Continuous:
         Of Piecewise((value, x = place), ..., (f, else)), on the closed union.
     """
     f, x, parts = pieces.args
+    if not isinstance(pieces, Continuous):
+        raise DerivationError(f"{pieces} does not say that a function is continuous")
     told = {(e.lhs.args[2], str(e.lhs.args[3])): e.rhs for e in limits if e.lhs.args[:2] == (f, x)}
     intervals = parts.args if isinstance(parts, sp.Union) else (parts,)
+    if set(values) != {end for part in intervals for end in (part.start, part.end) if end.is_finite}:
+        raise DerivationError(f"values are given at {set(values)}, not at the finite ends of {parts}")
     for part in intervals:
         for place, side in ((part.start, "+"), (part.end, "-")):
             if place.is_finite and told.get((place, side)) != values[place]:
@@ -227,6 +241,7 @@ def slope_at_gap(slope: sp.Eq, function: Continuous, formula: Continuous, place)
     derivative = slope.lhs
     for claim, told in ((function, derivative.expr), (formula, slope.rhs)):
         f, x, interval = claim.args
-        if is_zero(f.subs(x, derivative.variables[0]) - told) is None or interval.interior.contains(place) != sp.true:
+        about = isinstance(claim, Continuous) and is_zero(f.subs(x, derivative.variables[0]) - told) is not None
+        if not about or interval.interior.contains(place) != sp.true:
             raise DerivationError(f"{claim} does not say that {told} is continuous at {place}")
     return slope

@@ -52,8 +52,10 @@ def entire_series(expr, variable, place, n) -> PowerSeries:
 
 @tactic
 def affine_series(series: PowerSeries, factor, constant) -> PowerSeries:
-    """The series of factor f + constant."""
+    """The series of factor f + constant, both free of the variable and of the order."""
     f, x, place, coefficient, n = series.args
+    if sp.sympify(factor).has(x, n) or sp.sympify(constant).has(x, n):
+        raise DerivationError(f"{factor} or {constant} changes with {x} or {n}")
     first = constant * sp.KroneckerDelta(n, 0)
     return PowerSeries(sp.powsimp(sp.expand(factor * f)) + constant, x, place, factor * coefficient + first, n)
 

@@ -68,7 +68,8 @@ def inverse_between(claim: StrictlyIncreasing, round_trip: sp.Eq, values: sp.Ge,
     """
     f, w, interval = claim.args
     low, inverse = values.rhs, values.lhs.subs(round_trip.rhs, argument)
-    if interval.start != low or is_zero(round_trip.lhs - f.subs(w, values.lhs)) is None:
+    covered = isinstance(values, sp.GreaterThan) and interval == sp.Interval(low, sp.oo) and round_trip.rhs.is_Symbol
+    if not covered or is_zero(round_trip.lhs - f.subs(w, values.lhs)) is None:
         raise DerivationError(f"{round_trip} and {values} do not make an inverse of {claim}")
     if not isinstance(claim, StrictlyIncreasing) or not (low in interval and high in interval):
         raise DerivationError(f"{claim} does not compare {low} and {high}")

@@ -23,7 +23,7 @@ def elementary_limit(expr, variable, point, direction="+"):
     if expr.has(sp.LambertW):
         raise DerivationError(f"remove LambertW by a parameter before taking the limit of {expr}")
     found = sp.limit(expr, variable, point, direction)
-    if found.has(sp.Limit) or found is sp.nan:
+    if found.has(sp.Limit, sp.AccumBounds) or found is sp.nan:
         raise DerivationError(f"no limit found of {expr} as {variable} goes to {point}")
     return sp.simplify(found)
 
@@ -35,7 +35,7 @@ def limit_by_parameter(expr, variable, point, direction, parameter, path, at, si
     `expr` must already be written in the parameter s; `path` is checked to tend to `point` from the side
     `direction`, monotonically near it.
     """
-    _require_approach(variable, point, direction, parameter, path, at, side)
+    require_approach(variable, point, direction, parameter, path, at, side)
     return elementary_limit(expr, parameter, at, side)
 
 
@@ -43,11 +43,12 @@ def limit_by_parameter(expr, variable, point, direction, parameter, path, at, si
 def limit_along(known: sp.Eq, parameter, path, at, side="+"):
     """The limit of f(path(s)) as s -> at, from a proved limit Eq(Limit(f(x), x, point, direction), value)."""
     _, variable, point, direction = known.lhs.args
-    _require_approach(variable, point, str(direction), parameter, path, at, side)
+    require_approach(variable, point, str(direction), parameter, path, at, side)
     return known.rhs
 
 
-def _require_approach(variable, point, direction, parameter, path, at, side):
+def require_approach(variable, point, direction, parameter, path, at, side):
+    """Raise unless a path tends to a point, from one side, as its parameter goes to a place."""
     if elementary_limit(path, parameter, at, side) != point:
         raise DerivationError(f"{variable} = {path} does not tend to {point} as {parameter} goes to {at}")
     order, slope = _first_slope(path, parameter, at, side)

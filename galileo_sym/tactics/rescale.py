@@ -30,11 +30,13 @@ def rescale(equation: sp.Eq, old, new, *, length=sp.S.One, time=sp.S.One) -> sp.
     Raises
     ------
     DerivationError
-        A derivative or integral of something else occurs, or a unit depends on the time.
+        A derivative or integral of something else occurs, or a unit depends on the time, or may be 0.
     """
     t, z = old.args[0], new.args[0]
     if sp.sympify(length).has(t, z) or sp.sympify(time).has(t, z):
         raise DerivationError(f"the units {length} and {time} depend on the time")
+    if not (sp.sympify(length).is_nonzero and sp.sympify(time).is_nonzero):
+        raise DerivationError(f"one of the units {length} and {time} may be 0")
 
     def put(expr):
         if isinstance(expr, sp.Derivative) and expr.expr == old:

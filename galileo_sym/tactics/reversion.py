@@ -6,10 +6,14 @@ import sympy as sp
 
 from galileo_sym.ledger import DerivationError, tactic
 
+from .breaks import JUMPING
+
 
 @tactic
 def taylor(expr, variable, point, degree):
     """The Taylor polynomial of an expression about a point, in powers of (variable - point)."""
+    if expr.has(*JUMPING, sp.Abs):
+        raise DerivationError(f"{expr} need not have derivatives of every order")
     terms = []
     for k in range(degree + 1):
         slope = sp.simplify(sp.diff(expr, variable, k).subs(variable, point))

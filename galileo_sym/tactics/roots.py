@@ -14,7 +14,8 @@ from galileo_sym.ledger import (
 )
 from galileo_sym.ledger.equivalence import is_zero
 
-from .boxes import sign_by_ladder
+from .boxes import sign_by_ladder, sign_on
+from .breaks import require_no_break
 from .places import direction
 from .signs import monotone
 
@@ -120,11 +121,15 @@ def one_root(claim, level, *, ends=(None, None), assuming=()) -> ExactlyOneRoot:
     Raises
     ------
     DerivationError
-        The level is not shown to lie between the end values; it may equal them at closed ends only.
+        The level is not shown to lie between the end values; it may equal them at closed ends only. Or the claim is
+        of another kind, f is seen to jump, or what it tends to at an open end is missing.
     """
     rising = direction(claim) > 0
     f, x, interval = claim.args
-    sides = ((interval.start, "+"), (interval.end, "-"))
+    require_no_break(f, x, interval)
+    if sp.sympify(level).has(x):
+        raise DerivationError(f"the level {level} changes with {x}")
+    sides = ((interval.start, interval.left_open, "+"), (interval.end, interval.right_open, "-"))
     first, last = (_end_value(f, x, *side, told) for side, told in zip(sides, ends, strict=True))
     low, high = (first, last) if rising else (last, first)
     open_low, open_high = interval.left_open, interval.right_open
@@ -162,37 +167,45 @@ def above_limit(falls: sp.Lt, limit: sp.Eq, slope: sp.Eq | None = None) -> sp.Gt
 
 
 @tactic
-def sides_of_root(function, variable, whole, place, root: ExactlyOneRoot, factor: StrictlyIncreasing, sign: int):
+def sides_of_root(slope: sp.Eq, whole, place, root: ExactlyOneRoot, factor: StrictlyIncreasing, box: dict):
     """Monotony of a function on both sides of the root of a factor of its slope.
 
     Parameters
     ----------
-    function, variable : expression and Symbol
-        Continuous on the closed interval `whole`, with a slope that is `factor` times something of one sign inside.
+    slope : Eq
+        Eq(Derivative(f, x), factor times something of one sign), proved inside `whole`; f is continuous on `whole`.
     whole : Interval
+        Closed.
     place : Symbol
         Names the root.
     root : ExactlyOneRoot
         Of the factor, inside `whole`.
     factor : StrictlyIncreasing
-    sign : int
-        Of the slope divided by the factor.
+    box : dict
+        Where the parts of the slope lie, inside `whole`: what `sign_on` needs for its sign without the factor.
 
     Returns
     -------
     pair of StrictlyIncreasing or StrictlyDecreasing
         On the left and on the right of `place`.
     """
-    if root.args != factor.args or not isinstance(factor, StrictlyIncreasing):
+    if root.args != factor.args or (type(root), type(factor)) != (ExactlyOneRoot, StrictlyIncreasing):
         raise DerivationError(f"{root} and {factor} are not about one function")
     if root.args[2] != sp.Interval.open(whole.start, whole.end):
         raise DerivationError(f"{root} does not speak of the inside of {whole}")
+    function, variable = slope.lhs.expr, factor.args[1]
+    if slope.lhs != sp.Derivative(function, variable):
+        raise DerivationError(f"{slope} is not the slope against {variable}")
+    sign = sign_on(sp.cancel(slope.rhs / factor.args[0]), box)
     left, right = sp.Interval(whole.start, place), sp.Interval(place, whole.end)
     return monotone(function, variable, left, -sign), monotone(function, variable, right, sign)
 
 
-def _end_value(f, x, end, side, told):
+def _end_value(f, x, end, is_open, side, told):
+    """The value of f at an end, or its limit from inside; `told` says it, unless f can be computed there."""
     if told is None:
+        if is_open:
+            raise DerivationError(f"what {f} tends to at the open end {x} = {end} is not given")
         return f.subs(x, end)
     if isinstance(told.lhs, sp.Limit):
         about, *place, way = told.lhs.args

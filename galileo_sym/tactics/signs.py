@@ -7,6 +7,7 @@ import sympy as sp
 from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing, tactic
 from galileo_sym.ledger.equivalence import is_zero
 
+from .breaks import require_no_break
 from .places import direction, ordered, require_inside
 
 DEPTH = 8  # rungs of the ladder before giving up
@@ -14,12 +15,17 @@ DEPTH = 8  # rungs of the ladder before giving up
 
 @tactic
 def ladder(expr, variable) -> sp.Gt:
-    """Prove expr > 0 for every variable > 0: h(0) >= 0 and h' > 0, again and again.
+    """Prove expr > 0 for every variable > 0: h(0) >= 0 and h' > 0, again and again, h being smooth from 0 on.
 
     Returns
     -------
     Gt
         Gt(expr, 0).
+
+    Raises
+    ------
+    DerivationError
+        The ladder ends without a proof, or the expression is made of what may jump or have a pole.
     """
     positive = sp.Dummy("x", positive=True)
     if not _climb(expr.subs(variable, positive), positive, DEPTH):
@@ -38,10 +44,23 @@ def _climb(expr, x, depth):
     expr = sp.simplify(expr)
     if expr.is_positive or sp.factor(expr).is_positive:
         return True
-    if depth == 0:
+    if depth == 0 or not all(_smooth(part, x) for part in sp.preorder_traversal(expr) if part.has(x)):
         return False
     foot = sp.simplify(expr.subs(x, 0))
     return bool(foot.is_nonnegative) and _climb(sp.diff(expr, x), x, depth - 1)
+
+
+_SMOOTH = (sp.Symbol, sp.Add, sp.Mul, sp.exp, sp.sin, sp.cos, sp.sinh, sp.cosh, sp.tanh, sp.atan, sp.asinh)
+
+
+def _smooth(part, x):
+    """Whether the last operation of an expression is smooth for x >= 0."""
+    if isinstance(part, sp.Pow):
+        natural = part.exp.is_Integer and part.exp.is_nonnegative
+        return natural or (part.base.is_positive is True and part.base.subs(x, 0).is_positive is True)
+    if isinstance(part, sp.log):
+        return part.args[0].is_positive is True and part.args[0].subs(x, 0).is_positive is True
+    return isinstance(part, _SMOOTH)
 
 
 @tactic
@@ -89,7 +108,23 @@ def _assumption(part, proved):
 
 @tactic
 def monotone(function, variable, interval, slope_sign: int):
-    """A function with a derivative of one sign inside an interval is strictly monotone on it."""
+    """A function with a derivative of one sign inside an interval is strictly monotone on it.
+
+    Parameters
+    ----------
+    function : expression
+        Continuous on the interval.
+    slope_sign : int
+        +1 or -1: the sign of the derivative inside, proved.
+
+    Raises
+    ------
+    DerivationError
+        The sign is neither, or the function is seen to jump or to have a pole in the interval.
+    """
+    if slope_sign not in (1, -1):
+        raise DerivationError(f"{slope_sign} is not the sign of a slope of {function}")
+    require_no_break(function, variable, interval)
     kind = StrictlyIncreasing if slope_sign > 0 else StrictlyDecreasing
     return kind(function, variable, interval)
 

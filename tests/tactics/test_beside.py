@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 from sympy import Eq, Ge, Interval, Mod, Ne, Subs, Sum, exp, oo
 
-from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing
+from galileo_sym.ledger import Continuous, DerivationError, StrictlyDecreasing, StrictlyIncreasing
 from galileo_sym.ledger.local import AllZero, LocalExtremum, MonotoneBeside
 from galileo_sym.ledger.numeric import holds
 from galileo_sym.tactics import (
@@ -106,17 +106,18 @@ def test_odd_order_changes_the_sign():
         even_at_extremum(X ** (2 * N) * F(x), x, N, NEAR, h)
     with pytest.raises(DerivationError):
         even_at_extremum(1 + X**N * F(x), x, N, NEAR, h)
+    for far in (F(2 * x), F(x + 1), F(x) * F(0)):
+        with pytest.raises(DerivationError, match="not known near"):
+            even_at_extremum(X**N * far, x, N, NEAR, h)
 
 
 def test_monotone_on_both_sides():
-    slope = sp.diff(a(0) + X**N * F(x), x)
-    right, left = monotone_beside(f(x), x, slope, N, NEAR)
+    right, left = monotone_beside(Eq(f(x), a(0) + X**N * F(x)), x, N, NEAR)
     assert right == MonotoneBeside(f(x), x, x_0, 1, a(N))
     assert left == MonotoneBeside(f(x), x, x_0, -1, (-1) ** (N - 1) * a(N))
-    growth = X ** (N - 1) * F(x).diff(x)
-    for wrong in (slope - N * X ** (N - 1) * F(x), sp.diff(X ** (N - 2) * F(x), x), -slope, slope + growth):
+    for wrong in (X ** (N - 2) * F(x), X ** (N + 1) * F(x), x + X**N * F(x), X**N * (F(x) - a(N)), -(X**N) * F(x)):
         with pytest.raises(DerivationError):
-            monotone_beside(f(x), x, wrong, N, NEAR)
+            monotone_beside(Eq(f(x), a(0) + wrong), x, N, NEAR)
 
 
 def test_the_root_of_an_even_power():
@@ -153,7 +154,9 @@ def test_an_extremum_lies_between_opposite_ways():
     falling = StrictlyDecreasing(x**2, x, Interval(-oo, 0))
     rising = StrictlyIncreasing(x**2, x, Interval(0, oo))
     assert extremum_between(falling, rising) == LocalExtremum(x**2, x, 0)
-    for pair in ((rising, falling), (falling, falling), (falling, StrictlyIncreasing(x**2, x, Interval.open(0, oo)))):
+    whole = Continuous(x**2, x, Interval(-oo, 0))
+    away = StrictlyIncreasing(x**2, x, Interval.open(0, oo))
+    for pair in ((rising, falling), (falling, falling), (falling, away), (whole, rising)):
         with pytest.raises(DerivationError):
             extremum_between(*pair)
 

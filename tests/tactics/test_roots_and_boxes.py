@@ -132,11 +132,15 @@ def test_function_that_falls_lies_above_its_limit():
 
 def test_sides_of_a_root():
     factor, root = StrictlyIncreasing(x - q, x, Interval.open(0, 1)), ExactlyOneRoot(x - q, x, Interval.open(0, 1))
-    left, right = sides_of_root(-((x - q) ** 2), x, Interval(0, 1), q, root, factor, -1)
+    slope, box = Eq(sp.Derivative(-((x - q) ** 2) * p, x), -2 * p * (x - q)), {p: Interval.open(0, 1)}
+    left, right = sides_of_root(slope, Interval(0, 1), q, root, factor, box)
     assert (type(left), type(right)) == (StrictlyIncreasing, StrictlyDecreasing)
-    for other in (ExactlyOneRoot(x, x, Interval.open(0, 1)), ExactlyOneRoot(x - q, x, Interval.open(0, 2))):
+    for other in (ExactlyOneRoot(x, x, Interval.open(0, 1)), ExactlyOneRoot(x - q, x, Interval.open(0, 2)), factor):
         with pytest.raises(DerivationError):
-            sides_of_root(-((x - q) ** 2), x, Interval(0, 1), q, other, factor, -1)
+            sides_of_root(slope, Interval(0, 1), q, other, factor, box)
+    for wrong in (Eq(slope.lhs, -2 * x * (x - q)), Eq(slope.lhs, x), Eq(sp.Derivative(q**2 * p, q), slope.rhs)):
+        with pytest.raises(DerivationError):
+            sides_of_root(wrong, Interval(0, 1), q, root, factor, box)
 
 
 ROUND_TRIP = Eq(LambertW(q) * exp(LambertW(q)), q)
