@@ -231,7 +231,9 @@ def _as_height(sine, product):
         Continuous(Theta(alpha_0), alpha_0, NONNEGATIVE),
         Eq(Theta(0), pi / 4),
     ),
-    Domain({alpha_0: NONNEGATIVE}, where={Theta(alpha_0): BEST_FROM_0}),
+    Domain(  # a piece of its own, so that 1 is tried
+        {alpha_0: sp.Union(sp.FiniteSet(1), NONNEGATIVE, evaluate=False)}, where={Theta(alpha_0): BEST_FROM_0}
+    ),
     erratum=Erratum(
         ("S14",), "it is the maximum range angle, not the maximum range, that is continuous and decreasing"
     ),

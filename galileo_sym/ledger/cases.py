@@ -26,7 +26,7 @@ def case_by_case(derived, other, domain) -> str | None:
     return f"case by case ({', '.join(map(str, few))})"
 
 
-def for_multiples(derived, other, domain, known) -> str | None:
+def for_multiples(derived, other, domain, known, same=equivalent) -> str | None:
     """What holds for every value of an independent variable holds for those multiples of it that are values, too."""
     if any(derived.has(k) for k in known):
         return None
@@ -35,7 +35,7 @@ def for_multiples(derived, other, domain, known) -> str | None:
             if _into_itself(domain.ranges[variable], factor):
                 name = sp.Dummy(variable.name, real=True)
                 multiplied = resolve(resolve(derived, {variable: name}), {name: factor * variable})
-                if equivalent(multiplied, other):
+                if same(multiplied, other):
                     return f"true for every {variable}, so for {factor * variable}"
     return None
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import time
 from dataclasses import replace
 
@@ -89,7 +90,8 @@ def _with_free_symbols(declaration, derived, known):
 
 def _shown_equal(derived, other, declaration, known, own):
     domain = declaration.domain
-    how = _solved(derived, other, declaration) or equivalent(derived, other)
+    how = for_multiples(derived, other, domain, known, same=operator.eq)  # at once, where the rest takes long
+    how = how or _solved(derived, other, declaration) or equivalent(derived, other)
     how = how or _with_definitions(derived, other, domain, known, own)
     return how or case_by_case(derived, other, domain) or for_multiples(derived, other, domain, known)
 
@@ -107,11 +109,17 @@ def _with_definitions(derived, other, domain, known, own):
 
     What both speak of stays, unless it is another name: with it put in, any two true statements become 0 = 0.
     """
-    apart = {k for k in known if k not in own and derived.has(k) != other.has(k)}
-    names = {k for k, v in known.items() if k not in own and isinstance(v, sp.Symbol | AppliedUndef)}
-    put = {k: known[k] for k in apart | names}
-    pair = [resolve(e, put, frozenset(domain.ranges)) for e in (derived, other)]
+    theirs = {k: v for k, v in known.items() if k not in own}
+    put = {k: v for k, v in theirs.items() if derived.has(k) != other.has(k)}
+    keep = frozenset(domain.ranges)
+    pair = [resolve(e, {**put, **_other_names(theirs)}, keep) for e in (derived, other)]
     return None if any(map(_says_nothing, pair)) else equivalent(*pair)
+
+
+def _other_names(known):
+    """Symbols that stand for the same as f(t) does: u for U(k, theta)."""
+    functions = {v: f for f, v in known.items() if isinstance(f, AppliedUndef)}
+    return {k: functions[v] for k, v in known.items() if isinstance(k, sp.Symbol) and v in functions}
 
 
 def _says_nothing(statement):

@@ -68,7 +68,11 @@ def _statement(statement, dimensions) -> Iterator[tuple[str, sp.Basic]]:
 def _parts(whole, places, dimensions):
     for place in places:
         for operator, part in _statement(whole.args[place], dimensions):
-            if part not in whole.args:  # it would be dropped, not wrong
+            dropped = part in whole.args
+            undecided = (
+                isinstance(whole, sp.Equivalent) and operator == "sign of an exponent"
+            )  # -1 solves w e^(-w-1) = -1
+            if not (dropped or undecided):
                 yield operator, _with_arg(whole, place, part)
 
 
@@ -84,6 +88,9 @@ def _made(expr, args):
 def _equation(equation, dimensions):
     for operator, change in _SIDES.items():
         yield operator, sp.Eq(equation.lhs, _each(change, equation.rhs), evaluate=False)
+    if isinstance(equation.lhs, sp.Limit):
+        for function in _other_functions(equation):
+            yield "limit of another function", sp.Eq(function, equation.rhs, evaluate=False)
     yield "equality denied", sp.Ne(*equation.args, evaluate=False)
     yield from _inside(equation, dimensions)
 
@@ -98,6 +105,14 @@ _SIDES = {
     "factor 1 + 1e-20": lambda side: side * (1 + sp.Rational(1, 10**20)),
     "shifted by 1": lambda side: -side if side.is_infinite else side + 1,
 }
+
+
+def _other_functions(equation):
+    """Limits of functions changed so that the value is another: twice what tends to 0 does, too."""
+    f, *where, side = equation.lhs.args
+    value = equation.rhs
+    changed = (f + 1,) if value == 0 else (-f,) if value.is_infinite else (-f, 2 * f, f + 1)
+    return [sp.Limit(other, *where, str(side)) for other in changed]
 
 
 def _inequality(relation, dimensions):
@@ -183,13 +198,8 @@ def _other_derivative(node):
 def _other_limit(node):
     if isinstance(node, sp.Limit):
         inner, variable, place, side = node.args
-        yield sp.Limit(inner, variable, place - sp.S.Half if place.is_finite else sp.S.One, str(side))
-
-
-def _other_function(node):
-    if isinstance(node, sp.Limit):
-        for changed in (-node.args[0], 2 * node.args[0], node.args[0] + 1):
-            yield sp.Limit(changed, *node.args[1:3], str(node.args[3]))
+        aside = sp.S.Half if str(side) == "+" else -sp.S.Half
+        yield sp.Limit(inner, variable, place + aside if place.is_finite else sp.S.One, str(side))
 
 
 _NODES = {
@@ -201,7 +211,6 @@ _NODES = {
     "sign of an exponent": _sign_of_exponent,
     "other derivative": _other_derivative,
     "limit elsewhere": _other_limit,
-    "limit of another function": _other_function,
 }
 
 
