@@ -10,6 +10,8 @@ from galileo_sym.ledger.equivalence import is_zero
 from .limits import elementary_limit
 from .places import ordered
 
+_ENDLESS = (sp.oo, sp.S.NegativeInfinity, sp.zoo, sp.nan)
+
 
 @tactic
 def limit_with_part(expr, part, value, variable, point, direction="+"):
@@ -27,12 +29,13 @@ def limit_with_part(expr, part, value, variable, point, direction="+"):
     hidden = sp.expand(expr.subs(part, name))
     if not hidden.is_polynomial(name):
         raise DerivationError(f"{expr} is not a polynomial in {part}")
-    if value.is_infinite:
+    value = sp.sympify(value)
+    if value.has(*_ENDLESS):
         raise DerivationError(f"the limit of {part} is not finite")
     total = sp.S.Zero
     for (power,), coefficient in sp.Poly(hidden, name).terms():
         limit = elementary_limit(coefficient, variable, point, direction)
-        if limit.is_infinite:
+        if limit.has(*_ENDLESS):
             raise DerivationError(f"in {expr} the coefficient of {part}**{power} grows without bound")
         total += limit * value**power
     return sp.simplify(total)

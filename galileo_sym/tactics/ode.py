@@ -27,8 +27,8 @@ def solve_motion(equation: sp.Eq, unknown, start: dict) -> sp.Eq:
     Raises
     ------
     DerivationError
-        The equation is not linear, so that there may be other solutions; or the solution found misses the equation or
-        an initial value.
+        The equation is not linear, or has too few initial values, so that there are other solutions; or the solution
+        found misses the equation or an initial value.
     """
     _require_linear(equation, unknown)
     time = unknown.args[0]
@@ -36,6 +36,9 @@ def solve_motion(equation: sp.Eq, unknown, start: dict) -> sp.Eq:
     begin = {_rename(k, plain): _rename(sp.sympify(v), plain) for k, v in start.items()}
     found = sp.dsolve(_rename(equation, plain), _rename(unknown, plain), ics=begin)
     expression = sp.expand(_rename(found.rhs, back))
+    known = {time}.union(equation.free_symbols, *(sp.sympify(v).free_symbols for v in start.values()))
+    if expression.free_symbols - known:
+        raise DerivationError(f"{start} does not determine the constants in {expression}")
     _check(equation, unknown, expression, start, time)
     return sp.Eq(unknown, expression, evaluate=False)
 

@@ -17,6 +17,7 @@ from galileo_sym.tactics import (
     isolate,
     least_value,
     limit_of_inverse,
+    limit_with_part,
     one_root,
     read_circle,
     solve_angle,
@@ -86,6 +87,10 @@ FALSE_CONCLUSIONS = {
         ForAll(StrictlyIncreasing(x * k, k, AFTER), x, AFTER), 1 / k
     ),
     "s = 0 solves it, too": lambda: solve_motion(Eq(s(t).diff(t), 3 * s(t) ** Rational(2, 3)), s(t), {s(0): sp.S.Zero}),
+    "s' at first is not said": lambda: solve_motion(Eq(s(t).diff(t, 2), k), s(t), {s(0): sp.S.Zero}),
+    "a sine does not settle": lambda: elementary_limit(sin(1 / x), x, 0),
+    "y/x is a quotient of zeros": lambda: limit_with_part(y / x, y, 0, x, 0),
+    "a y/x is, too": lambda: limit_with_part(a * y / x, y, 0, x, 0),
     "the tangent is 1 in every half turn": lambda: isolate(_eq(tan(x), a), x),
     "w e^w takes values twice": lambda: isolate(_eq(w * exp(w), sp.Symbol("plain")), w),
     "sin x = a is no equation for the tangent": lambda: solve_angle(_eq(sin(x), a), x, Interval(0, 1)),
