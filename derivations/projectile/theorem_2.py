@@ -1,7 +1,7 @@
 """The inverse range problem: Theorem 2, the shape of the range as a function of resistance and angle."""
 
 import sympy as sp
-from sympy import And, Derivative, Eq, Equivalent, Gt, Interval, Limit, Lt, pi, tan
+from sympy import And, Derivative, Eq, Equivalent, Gt, Interval, Le, Limit, Lt, pi, tan
 
 from galileo_sym.derivations.projectile.notation import (
     BETWEEN,
@@ -25,10 +25,13 @@ from galileo_sym.derivations.projectile.notation import (
     theta_max,
     u,
     v,
+    w,
 )  # fmt: skip
+from galileo_sym.derivations.projectile.shared import continuous_w
 from galileo_sym.ledger import (
     POSITIVE,
     Chapter,
+    Continuous,
     DerivationError,
     Domain,
     Erratum,
@@ -42,6 +45,7 @@ from galileo_sym.ledger import (
 from galileo_sym.tactics import (
     box_of,
     compare_on,
+    continuous_on,
     elementary_limit,
     limit_along,
     monotone,
@@ -58,6 +62,7 @@ RANGE = R(k, theta)
 FACTOR = tan(theta) ** 2 + SLOPE
 BEST = StationaryAngle(k * v / g)
 ANGLES = Domain({**SHOT, theta: BETWEEN}, where=TRIAL)
+ALL_ANGLES = Domain({**SHOT, theta: HALF_TURN}, where=TRIAL)
 SHOTS = Domain(SHOT, where={**TRIAL, theta_max: BEST})
 LEFT, RIGHT = Interval(0, theta_max), Interval(theta_max, pi / 2)
 
@@ -119,6 +124,22 @@ def limit_at_right_angle(lemma__c):
     return Eq(Limit(FACTOR, theta, pi / 2, "-"), limit, evaluate=False)
 
 
+@chapter.derive("beyond.thm2.continuous", And(Eq(RANGE, TRIAL_RANGE), Continuous(RANGE, theta, HALF_TURN)), ALL_ANGLES)
+def continuous_range(def__uyR, def__W, def__T, claim__T_monotone, claim__u_le_minus1, claim__domain_W):
+    """W is continuous from -1/e on, down to where u e^u gets as theta goes to 0; and u is not 0."""
+    known = continuous_w(def__W, def__T, claim__T_monotone)
+    path = def__uyR.of(U(k, theta))
+    length = def__uyR.of(RANGE).subs(Y, def__uyR.of(Y)).subs(u, path)
+    below = next(e for e in claim__u_le_minus1.parts if isinstance(e, Le))
+    if below.lhs != u or not below.rhs.is_negative:
+        raise DerivationError(f"{below} does not say that u is negative")
+    facts = Lt(path, 0, evaluate=False), claim__domain_W.subs(w, path)
+    for fact in facts:
+        step("at every elevation", fact)
+    found = continuous_on(length, theta, HALF_TURN, known=[known], facts=facts)
+    return And(Eq(RANGE, length), Continuous(RANGE, *found.args[1:]))
+
+
 def _signs(form, bounds):
     """Where the parts of dR/dtheta lie."""
     return {**box_of(*bounds.parts), u: BEYOND, **trig_box(form.rhs, theta, BETWEEN)}
@@ -150,12 +171,13 @@ def stationary(lemma__f__second, lemma__a, thm2__factor_increasing, thm2__limit_
     ),
     SHOTS,
 )
-def maximum(thm2__stationary, thm2__factor_increasing, lemma__f__second, lemma__a):
+def maximum(thm2__stationary, thm2__factor_increasing, lemma__f__second, lemma__a, beyond__thm2__continuous):
     """Let theta_max be the root: dR/dtheta is positive on its left and negative on its right."""
     once = next(e for e in thm2__stationary.parts if isinstance(e, ExactlyOneRoot))
     increases = thm2__factor_increasing.statement
     signs = _signs(lemma__f__second, lemma__a)
-    sides = sides_of_root(lemma__f__second.equation, HALF_TURN, theta_max, once, increases, signs)
+    whole = next(e for e in beyond__thm2__continuous.parts if isinstance(e, Continuous))
+    sides = sides_of_root(lemma__f__second.equation, whole, theta_max, once, increases, signs)
     return And(unique_maximum(*sides), *sides)
 
 

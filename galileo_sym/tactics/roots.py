@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from galileo_sym.ledger import (
+    Continuous,
     DerivationError,
     ExactlyOneRoot,
     StrictlyDecreasing,
@@ -167,22 +168,24 @@ def above_limit(falls: sp.Lt, limit: sp.Eq, slope: sp.Eq | None = None) -> sp.Gt
 
 
 @tactic
-def sides_of_root(slope: sp.Eq, whole, place, root: ExactlyOneRoot, factor: StrictlyIncreasing, box: dict):
+def sides_of_root(
+    slope: sp.Eq, continuous: Continuous, place, root: ExactlyOneRoot, factor: StrictlyIncreasing, box: dict
+):
     """Monotony of a function on both sides of the root of a factor of its slope.
 
     Parameters
     ----------
     slope : Eq
-        Eq(Derivative(f, x), factor times something of one sign), proved inside `whole`; f is continuous on `whole`.
-    whole : Interval
-        Closed.
+        Eq(Derivative(f, x), factor times something of one sign), proved inside an interval.
+    continuous : Continuous
+        Of f, on the closed interval.
     place : Symbol
         Names the root.
     root : ExactlyOneRoot
-        Of the factor, inside `whole`.
+        Of the factor, inside the interval.
     factor : StrictlyIncreasing
     box : dict
-        Where the parts of the slope lie, inside `whole`: what `sign_on` needs for its sign without the factor.
+        Where the parts of the slope lie, inside the interval: what `sign_on` needs for its sign without the factor.
 
     Returns
     -------
@@ -191,11 +194,13 @@ def sides_of_root(slope: sp.Eq, whole, place, root: ExactlyOneRoot, factor: Stri
     """
     if root.args != factor.args or (type(root), type(factor)) != (ExactlyOneRoot, StrictlyIncreasing):
         raise DerivationError(f"{root} and {factor} are not about one function")
+    if not isinstance(continuous, Continuous):
+        raise DerivationError(f"{continuous} does not say that a function is continuous")
+    function, variable, whole = continuous.args
     if root.args[2] != sp.Interval.open(whole.start, whole.end):
-        raise DerivationError(f"{root} does not speak of the inside of {whole}")
-    function, variable = slope.lhs.expr, factor.args[1]
-    if slope.lhs != sp.Derivative(function, variable):
-        raise DerivationError(f"{slope} is not the slope against {variable}")
+        raise DerivationError(f"{root} does not speak of the inside of {whole}, where {continuous}")
+    if slope.lhs != sp.Derivative(function, variable) or variable != factor.args[1]:
+        raise DerivationError(f"{slope} is not the slope of {function} against {variable}")
     sign = sign_on(sp.cancel(slope.rhs / factor.args[0]), box)
     left, right = sp.Interval(whole.start, place), sp.Interval(place, whole.end)
     return monotone(function, variable, left, -sign), monotone(function, variable, right, sign)

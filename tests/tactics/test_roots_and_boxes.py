@@ -4,7 +4,14 @@ import pytest
 import sympy as sp
 from sympy import And, Eq, Ge, Gt, Interval, LambertW, Le, Limit, Lt, exp, oo
 
-from galileo_sym.ledger import DerivationError, ExactlyOneRoot, StrictlyDecreasing, StrictlyIncreasing, UniqueMaximum
+from galileo_sym.ledger import (
+    Continuous,
+    DerivationError,
+    ExactlyOneRoot,
+    StrictlyDecreasing,
+    StrictlyIncreasing,
+    UniqueMaximum,
+)
 from galileo_sym.tactics import (
     above_limit,
     bound_by_end,
@@ -133,14 +140,18 @@ def test_function_that_falls_lies_above_its_limit():
 def test_sides_of_a_root():
     factor, root = StrictlyIncreasing(x - q, x, Interval.open(0, 1)), ExactlyOneRoot(x - q, x, Interval.open(0, 1))
     slope, box = Eq(sp.Derivative(-((x - q) ** 2) * p, x), -2 * p * (x - q)), {p: Interval.open(0, 1)}
-    left, right = sides_of_root(slope, Interval(0, 1), q, root, factor, box)
+    whole = Continuous(slope.lhs.expr, x, Interval(0, 1))
+    left, right = sides_of_root(slope, whole, q, root, factor, box)
     assert (type(left), type(right)) == (StrictlyIncreasing, StrictlyDecreasing)
     for other in (ExactlyOneRoot(x, x, Interval.open(0, 1)), ExactlyOneRoot(x - q, x, Interval.open(0, 2)), factor):
         with pytest.raises(DerivationError):
-            sides_of_root(slope, Interval(0, 1), q, other, factor, box)
+            sides_of_root(slope, whole, q, other, factor, box)
     for wrong in (Eq(slope.lhs, -2 * x * (x - q)), Eq(slope.lhs, x), Eq(sp.Derivative(q**2 * p, q), slope.rhs)):
         with pytest.raises(DerivationError):
-            sides_of_root(wrong, Interval(0, 1), q, root, factor, box)
+            sides_of_root(wrong, whole, q, root, factor, box)
+    for gap in (whole.func(*whole.args[:2], Interval(0, 2)), whole.func(x, *whole.args[1:]), sp.Not(whole)):
+        with pytest.raises(DerivationError):
+            sides_of_root(slope, gap, q, root, factor, box)
 
 
 ROUND_TRIP = Eq(LambertW(q) * exp(LambertW(q)), q)
