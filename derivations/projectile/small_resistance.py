@@ -40,6 +40,7 @@ from galileo_sym.ledger import (
 )  # fmt: skip
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
+    entire_series,
     extremum_between,
     isolate,
     limit_along,
@@ -48,7 +49,6 @@ from galileo_sym.tactics import (
     modus_ponens,
     said_of,
     sign_on,
-    taylor_coefficient,
     trig_box,
 )  # fmt: skip
 
@@ -66,14 +66,18 @@ LEVEL = Domain({**SHOT, theta: sp.FiniteSet(0), u: sp.FiniteSet(-1)}, where=TRIA
 SPEEDS = {g: POSITIVE, v: POSITIVE}
 
 
-@chapter.derive("projectile.thm1.cor", COROLLARY, Domain({w: Interval.Ropen(-sp.Rational(3, 2), -1)}))
+NEAR_MINUS_1 = {w: Interval.Ropen(-sp.Rational(3, 2), -1), index: sp.FiniteSet(0, 1, 2, 5)}
+
+
+@chapter.derive("projectile.thm1.cor", COROLLARY, Domain(NEAR_MINUS_1))
 def corollary(thm1, def__T, claim__T_monotone, def__W):
     """Theorem 1 for T about -1, where it has an extremum: there N = 2."""
     body = def__T.of(T(w))
     parts = {type(claim): claim for claim in claim__T_monotone.parts}
     extremum = step("an extremum", extremum_between(parts[StrictlyDecreasing], parts[StrictlyIncreasing]))
     place = extremum.args[2]
-    coefficient = taylor_coefficient(body, w, place, index)
+    entire = step("an entire function", entire_series(body, w, place, index))
+    coefficient = entire.args[3]
     order = next(n for n in range(1, 9) if coefficient.subs(index, n) != 0)
     values = next(e for e in def__W.parts if isinstance(e, Ge))
     functions = {
@@ -86,7 +90,7 @@ def corollary(thm1, def__T, claim__T_monotone, def__W):
     series = Eq(body, sp.Sum(coefficient * (w - place) ** index, (index, 0, sp.oo)), evaluate=False)
     round_trip = next(e for e in def__W.parts if isinstance(e, Eq) and e.lhs == T(values.lhs))
     known = (
-        step("the Taylor series of an entire function", series),
+        step("its Taylor series", series),
         step("the limit is from the left", sp.Lt(w, place)),
         said_of(round_trip, {T(w): body}, {}),
         values,

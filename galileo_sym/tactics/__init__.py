@@ -31,7 +31,7 @@ from .hypotheses import instantiate, modus_ponens, same_argument
 from .implicit import implicit_derivative
 from .inverse import inverse_between, undo
 from .known_limits import limit_of_inverse, limit_with_part
-from .leading_terms import split_series, take_out, taylor_coefficient, value_at_centre
+from .leading_terms import split_series, take_out, value_at_centre
 from .limits import elementary_limit, limit_along, limit_by_parameter
 from .linear_exponential import (
     check_root,
@@ -157,7 +157,6 @@ __all__ = [
     "sum_of_series",
     "take_out",
     "taylor",
-    "taylor_coefficient",
     "taylor_of_motion",
     "times_sum",
     "trace_circle",

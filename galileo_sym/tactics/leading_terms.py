@@ -70,25 +70,3 @@ def value_at_centre(series: sp.Sum, variable, centre):
     if last is not sp.oo or rest != 0 or value.has(sp.zoo, sp.nan):
         raise DerivationError(f"{series} is not a power series about {variable} = {centre}")
     return value
-
-
-@tactic
-def taylor_coefficient(expr, variable, centre, i):
-    """The i-th Taylor coefficient of a polynomial times an exponential, an entire function, by Leibniz' rule.
-
-    Raises
-    ------
-    DerivationError
-        The expression is not a polynomial times e^(c x).
-    """
-    rest, powers = sp.sift(sp.Mul.make_args(sp.factor(expr)), lambda e: isinstance(e, sp.exp), binary=True)[::-1]
-    polynomial, power = sp.Mul(*rest), sp.Mul(*powers)
-    rate = sp.simplify(sp.diff(power, variable) / power)
-    if not polynomial.is_polynomial(variable) or rate.has(variable) or rate == 0:
-        raise DerivationError(f"{expr} is not a polynomial times an exponential of {variable}")
-    orders = range(sp.degree(polynomial, variable) + 1)
-    derivative = sum(
-        sp.expand_func(sp.ff(i, j)) / sp.factorial(j) * sp.diff(polynomial, variable, j) * rate ** (i - j) * power
-        for j in orders
-    )
-    return sp.factor_terms(sp.powsimp(derivative.subs(variable, centre))) / sp.factorial(i)

@@ -16,7 +16,6 @@ from galileo_sym.tactics import (
     said_of,
     split_series,
     take_out,
-    taylor_coefficient,
     value_at_centre,
     value_near,
 )
@@ -73,20 +72,6 @@ def test_no_other_power_is_taken_out(power):
 def test_a_laurent_series_has_no_value_at_its_centre():
     with pytest.raises(DerivationError):
         value_at_centre(Sum(a(i) * X ** (i - N), (i, N - 1, oo)), x, x_0)
-
-
-def test_taylor_coefficients_are_those_of_sympy():
-    for expr, place in ((x * exp(x), -1), ((x**2 + 1) * exp(2 * x), 0), (x**3 * exp(-x), 2)):
-        found = taylor_coefficient(expr, x, place, i)
-        for n in range(6):
-            wanted = sp.diff(expr, x, n).subs(x, place) / sp.factorial(n)
-            assert sp.simplify(found.subs(i, n) - wanted) == 0
-
-
-@pytest.mark.parametrize("expr", [sp.Abs(x), sp.sin(x), exp(x**2), 1 / (1 + x) * exp(x)])
-def test_taylor_coefficients_only_of_a_polynomial_times_an_exponential(expr):
-    with pytest.raises(DerivationError):
-        taylor_coefficient(expr, x, 0, i)
 
 
 @pytest.mark.parametrize(

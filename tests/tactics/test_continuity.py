@@ -62,6 +62,11 @@ def test_infinite_sums_in_numbers():
 
 
 def test_series_of_a_polynomial_times_an_exponential():
+    for expr, place in ((x * exp(x), -1), (x**3 * exp(-x), 2)):
+        coefficient = entire_series(expr, x, place, n).args[3]
+        for i in range(6):
+            wanted = sp.diff(expr, x, i).subs(x, place) / factorial(i)
+            assert sp.simplify(coefficient.subs(n, i) - wanted) == 0
     series = entire_series((x**2 + 1) * exp(2 * x), x, 0, n)
     taylor = sp.series((x**2 + 1) * exp(2 * x), x, 0, 8).removeO()
     assert [series.args[3].subs(n, i) for i in range(8)] == [taylor.coeff(x, i) for i in range(8)]
@@ -74,7 +79,7 @@ def test_series_of_a_polynomial_times_an_exponential():
     assert head.subs(x, 0).doit() == 1
 
 
-@pytest.mark.parametrize("expr", [exp(x**2), exp(x) / x, sin(x), exp(x) + exp(2 * x), x**3])
+@pytest.mark.parametrize("expr", [exp(x**2), exp(x) / x, sin(x), sp.Abs(x), exp(x) + exp(2 * x), x**3])
 def test_no_general_series_of_others(expr):
     with pytest.raises(DerivationError):
         entire_series(expr, x, 0, n)
