@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from verify_stand_in import Rounded, Weakened
 
-from galileo_sym.verify import certificate
+from galileo_sym import files
 from galileo_sym.verify.functions import FUNCTIONS
 from galileo_sym.verify.run import run
 from galileo_sym.verify.strata import strata_names
@@ -277,7 +277,7 @@ def test_an_interrupted_update_leaves_old_certificates_whole(certified, monkeypa
     def interrupted(source, target):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(certificate.os, "replace", interrupted)
+    monkeypatch.setattr(files.os, "replace", interrupted)
     with pytest.raises(KeyboardInterrupt):
         verify(certified, update=True, date="2026-03-04")
     assert (certified / f"{NAME}.json").read_bytes() == before
