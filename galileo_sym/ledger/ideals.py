@@ -34,6 +34,6 @@ def _polynomials(conjunction, symbols):
             return None
         try:
             found.append(sp.Poly(part.lhs - part.rhs, *symbols, domain="QQ").as_expr())
-        except sp.PolynomialError:
+        except (sp.PolynomialError, sp.CoercionFailed):
             return None
     return found

@@ -58,6 +58,8 @@ def _move(quantity, holding, failing, declaration, given):
             here = numeric.value(place.rhs, point, 60)
         except ZeroDivisionError:
             continue
+        except numeric.Untestable:  # it depends on an unknown function: any value will do to start from
+            here = mpmath.mpf(1)
         for guess in _roots(loose_holding, symbol, point, here, rng):
             if not _allowed(symbol, guess, within):
                 continue

@@ -235,7 +235,9 @@ def _equal(left, right, point):
         try:
             a, b = value(left, point, digits), value(right, point, digits)
             scale = max(abs(a), abs(b), *(abs(value(t, point, digits)) for t in _terms(left, right)))
-        except ZeroDivisionError:
+        except Untestable:
+            raise
+        except (ZeroDivisionError, ValueError, TypeError):  # a side that has no value here equals nothing
             return False
         if not (mp.isfinite(a) and mp.isfinite(b)):
             return a == b

@@ -192,10 +192,12 @@ class driving(Function):
 
     @classmethod
     def eval(cls, theta, mu):
-        """Return the value where one of the two forces is absent."""
+        """Return the value where one of the two forces is absent; theta and -theta are the same."""
         if theta.is_zero:
             return S.One
-        return cos(theta) if mu.is_zero else None
+        if mu.is_zero:
+            return cos(theta)
+        return cls(-theta, mu) if theta.could_extract_minus_sign() else None
 
     def fdiff(self, argindex=1):
         """Return the derivative with respect to theta (1) or mu (2)."""

@@ -20,11 +20,12 @@ def _negated(f, claim):
     yield -f
 
 
-def _mirrored(interval, claim):
-    """The interval on the other side of its finite end."""
+def _with_another_root(f, claim):
+    """A factor that vanishes inside the interval, too."""
+    _, x, interval = claim.args
     low, high = interval.start, interval.end
-    if low.is_finite:
-        yield sp.Interval(low - (high - low), low, interval.right_open, interval.left_open)
+    inside = (low + high) / 2 if (high - low).is_finite else low + 1 if low.is_finite else high - 1
+    yield f * (x - inside)
 
 
 def _shifted(place, claim):
@@ -82,7 +83,7 @@ _OPPOSITE = {
 _CHANGES = {
     predicates.StrictlyIncreasing: [("function negated", 0, _negated)],
     predicates.StrictlyDecreasing: [("function negated", 0, _negated)],
-    predicates.ExactlyOneRoot: [("no root", 0, _without_root), ("other interval", 2, _mirrored)],
+    predicates.ExactlyOneRoot: [("no root", 0, _without_root), ("another root", 0, _with_another_root)],
     predicates.UniqueMaximum: [("function negated", 0, _negated), ("place shifted", 3, _shifted)],
     predicates.Independent: [("made dependent", 0, _with_the_variable), ("of another variable", 1, _other_variable)],
     predicates.TracesOnce: [

@@ -139,7 +139,8 @@ def _inside(equation, dimensions):
     for symbol in sorted(_coefficients(equation) - named, key=str)[:MOST]:
         yield "sign of a symbol", _put_in(equation, {symbol: -symbol})
         yield "symbol doubled", _put_in(equation, {symbol: 2 * symbol})
-    for one, other in islice(_alike(equation, dimensions), MOST):
+    pairs = (p for p in _alike(equation, dimensions) if not named & set(p))  # z = W/alpha says that alpha = W/z
+    for one, other in islice(pairs, MOST):
         yield "quantities swapped", _put(equation, {one: other, other: one})
 
 
