@@ -108,7 +108,9 @@ def argument(claim__domain_W, beyond__hills__height):
     return And(Ge(value, least.rhs, evaluate=False), Lt(value, 0, evaluate=False))
 
 
-@chapter.derive("beyond.hills.time", Eq(time, TIME), Domain({**SHOT, h: NONNEGATIVE}, where={**NAMES, t: LANDED}))
+@chapter.derive(
+    "beyond.hills.time", Eq(time, TIME), Domain({**SHOT, h: NONNEGATIVE}, where={**NAMES, t: LANDED, time: LANDED})
+)
 def landing(beyond__hills__height, res3, beyond__hills__argument):
     """On the ground the height is 0: result (3) with a = -k, b = eta - u, c = u, d = -k."""
     equation = step("the ground is hit", _landing(beyond__hills__height))
@@ -182,7 +184,11 @@ def roots(
     return And(Equivalent(Eq(above, 0, evaluate=False), pair), *signs)
 
 
-@chapter.derive("beyond.hills.range", Eq(reach, REACH), Domain({**SHOT, h: NONNEGATIVE}, where=NAMES))
+@chapter.derive(
+    "beyond.hills.range",
+    Eq(reach, REACH),
+    Domain({**SHOT, h: NONNEGATIVE}, where={**NAMES, reach: v * cos(theta) * (1 - exp(-k * LANDED)) / k}),
+)
 def distance(drag__x, beyond__hills__time, res1):
     """x where the ground is hit, with the power of e by result (1)."""
     (inverse,) = beyond__hills__time.of(time).atoms(LambertW)
@@ -230,7 +236,7 @@ FALL = sqrt(v**2 * sin(theta) ** 2 + 2 * g * h)
 @chapter.derive(
     "beyond.hills.free",
     And(Eq(time, (v * sin(theta) + FALL) / g), Eq(reach, v * cos(theta) * (v * sin(theta) + FALL) / g)),
-    Domain({**FREE, h: POSITIVE}, where={t: (v * sin(theta) + FALL) / g}),
+    Domain({**FREE, h: POSITIVE}, where={t: (v * sin(theta) + FALL) / g, time: t, reach: v * cos(theta) * t}),
 )
 def free(nodrag__x, nodrag__y):
     """Without resistance: y = -h, and the root before the launch is left out."""

@@ -128,7 +128,11 @@ def time(beyond__pure_flight__impact, res3, claim__domain_W):
     return solve_linear_exponential(res3.equation, (t, a, b, c, d), equation, z, exists)
 
 
-@chapter.derive("beyond.pure-flight.range", Eq(rho, RANGE), Domain({alpha: POSITIVE, theta: RISING}, where=PURE))
+@chapter.derive(
+    "beyond.pure-flight.range",
+    Eq(rho, RANGE),
+    Domain({alpha: POSITIVE, theta: RISING}, where={**PURE, rho: ACROSS.subs(z, FLIGHT)}),
+)
 def flight_range(beyond__pure_flight__motion, beyond__pure_flight__time, range__expW):
     """X at the time of impact, with the power of e by result (1)."""
     there = beyond__pure_flight__motion.of(X(z)).subs(z, beyond__pure_flight__time.of(z))

@@ -91,7 +91,7 @@ def below_minus_1(beyond__slopes__height):
     return And(Eq(lift, turned / bottom), Eq(u, named), Lt(u, named.subs(lift, 0)))
 
 
-@chapter.derive("beyond.slopes.time", Eq(time, TIME), Domain(SHOT, where={**PUT, t: LANDED}))
+@chapter.derive("beyond.slopes.time", Eq(time, TIME), Domain(SHOT, where={**PUT, t: LANDED, time: LANDED}))
 def landing(beyond__slopes__height, res3, claim__domain_W):
     """On the slope the height above it is 0: result (3) with a = -k, b = -u, c = u, d = -k."""
     above = beyond__slopes__height.of(y(t)) - x(t) * tan(beta)
@@ -123,7 +123,11 @@ def branch(beyond__slopes__height, beyond__slopes__u, beyond__slopes__time, beyo
     return And(Equivalent(Eq(above, zero.rhs, evaluate=False), roots), after)
 
 
-@chapter.derive("beyond.slopes.range", Eq(reach, REACH), Domain(SHOT, where=PUT))
+@chapter.derive(
+    "beyond.slopes.range",
+    Eq(reach, REACH),
+    Domain(SHOT, where={**PUT, reach: v * cos(theta) * (1 - exp(-k * LANDED)) / (k * cos(beta))}),
+)
 def along(drag__x, beyond__slopes__time, range__expW):
     """x where the slope is hit, over cos(beta)."""
     across = sp.expand(drag__x.of(x(t)).subs(t, beyond__slopes__time.of(time)))
@@ -152,7 +156,7 @@ def level(beyond__slopes__u, beyond__slopes__time, beyond__slopes__range, def__u
 @chapter.derive(
     "beyond.slopes.free",
     And(Eq(time, 2 * v * LIFT / g), Eq(reach, 2 * v**2 * cos(theta) * sin(theta - beta) / (g * cos(beta) ** 2))),
-    Domain(FREE, where={t: 2 * v * LIFT / g}),
+    Domain(FREE, where={t: 2 * v * LIFT / g, time: t, reach: v * cos(theta) * t / cos(beta)}),
 )
 def free(nodrag__x, nodrag__y):
     """Without resistance: y = x tan(beta), the launch left out."""

@@ -134,6 +134,7 @@ COEFFICIENTS = {"a": a_3, "b": b_3, "c": c_3, "d": d_3}
 def coefficients(thm3__case2__t_eq):
     """The form of result (3)."""
     found = read_coefficients(thm3__case2__t_eq.equation, tau)
+    step("the same equation", Eq(a_3 * tau + b_3 + c_3 * exp(d_3 * tau), 0))
     return And(*(Eq(COEFFICIENTS[name], value) for name, value in found.items()))
 
 

@@ -151,7 +151,7 @@ def _signs(form, bounds):
         Equivalent(Eq(Derivative(RANGE, theta), 0), Eq(tan(theta) ** 2 + SLOPE, 0)),
         ExactlyOneRoot(tan(theta) ** 2 + SLOPE, theta, BETWEEN),
     ),
-    ANGLES,
+    Domain({**SHOT, theta: sp.Union(BETWEEN, sp.FiniteSet(BEST), evaluate=False)}, where=TRIAL),
 )
 def stationary(lemma__f__second, lemma__a, thm2__factor_increasing, thm2__limit_0, thm2__limit_pi2):
     """The rest of the slope has no zero; the factor increases from -1 to oo, so that it vanishes once."""
