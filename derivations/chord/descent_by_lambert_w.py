@@ -1,7 +1,7 @@
 """Section 4, second half: the descent time by Lambert W, equations (33) to (36), with the branch for every drag."""
 
 import sympy as sp
-from sympy import And, Eq, Ge, Gt, Interval, LambertW, Le, Limit, Lt, Or, exp, oo
+from sympy import And, Eq, Ge, Gt, Implies, Interval, LambertW, Le, Limit, Lt, Or, exp, oo
 
 from galileo_sym.derivations.chord.notation import W_0, W_1, D, F, c, g, gamma, notation, q, t_AB, w, zeta
 from galileo_sym.ledger import (
@@ -21,6 +21,7 @@ from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
     arguments_reversed,
     check_root,
+    conclusions,
     elementary_limit,
     isolate,
     least_value,
@@ -38,8 +39,10 @@ FALLING = Interval(-oo, -1)
 RISING = Interval(-1, oo)
 BOTH_SIDES = Domain({w: sp.Union(FALLING, RISING, evaluate=False)})  # so that w = -1, where F is least, is tried
 
-ROOTS = (sp.FiniteSet(LambertW(q)), sp.FiniteSet(LambertW(q, -1)))
-ANY_OR_A_ROOT = sp.Union(*ROOTS, REAL, evaluate=False)  # so that both roots are tried
+BELOW_0, FROM_0 = Interval.Ropen(-exp(-1), 0), Interval(0, oo)
+VALUES = sp.Union(BELOW_0, FROM_0, evaluate=False)  # of F: each is taken once from 0 on, and twice below, but for -1/e
+OTHER_ROOT = sp.Piecewise((LambertW(q, -1), q < 0), (LambertW(q), True))
+ANY_OR_A_ROOT = sp.Union(sp.FiniteSet(LambertW(q)), sp.FiniteSet(OTHER_ROOT), REAL, evaluate=False)
 
 ONLY_LIMIT = Erratum(
     ("C7",),
@@ -78,20 +81,18 @@ chapter.given(
     "chord.claim.W-branches",
     And(
         Eq(W_0(q), LambertW(q)),
-        Eq(W_1(q), LambertW(q, -1)),
         Ge(W_0(q), -1),
-        Le(W_1(q), -1),
         Eq(W_0(q) * exp(W_0(q)), q),
-        Eq(W_1(q) * exp(W_1(q)), q),
+        Implies(Lt(q, 0), And(Eq(W_1(q), LambertW(q, -1)), Le(W_1(q), -1), Eq(W_1(q) * exp(W_1(q)), q))),
     ),
-    Domain({q: Interval.Ropen(-exp(-1), 0)}),
+    Domain({q: VALUES}, where={W_0(q): LambertW(q), W_1(q): LambertW(q, -1)}),
     premises=("chord.claim.F-monotone",),
 )
 
 chapter.given(
     "chord.eq35",
-    sp.Equivalent(Eq(w * exp(w), q), Or(Eq(w, LambertW(q)), Eq(w, LambertW(q, -1)))),
-    Domain({q: Interval.Ropen(-exp(-1), 0), w: ANY_OR_A_ROOT}),
+    sp.Equivalent(Eq(w * exp(w), q), Or(Eq(w, LambertW(q)), And(Lt(q, 0), Eq(w, LambertW(q, -1))))),
+    Domain({q: VALUES, w: ANY_OR_A_ROOT}),
     premises=("chord.eq34", "chord.claim.W-branches"),
     erratum=Erratum(("C9",), "multivalued as printed: W_0 for w >= -1 (q >= -1/e), W_(-1) for w <= -1 (-1/e <= q < 0)"),
 )
@@ -119,24 +120,25 @@ OTHER = Lt(1 + c + LambertW(-exp(-1 - c), -1), 0, evaluate=False)
 def principal_branch(claim__W_branches, claim__F_monotone, eq34):
     """W_0 >= -1 gives gamma t >= c > 0, c = gamma^2 D/g; F(-1-c) < -e^(-1-c), F falling, gives W_(-1) < -1-c."""
     value = -exp(-1 - c)
-    bound = part_of(claim__W_branches, sp.GreaterThan)
+    branches = conclusions(claim__W_branches, q, value)
+    bound = part_of(branches, sp.GreaterThan)
     least = 1 + c + bound.lts
     if bound.gts != W_0(q) or not least.is_positive:
         raise DerivationError(f"gamma t >= {least} is not positive")
-    step("by W_0 the time is at least", Ge(1 + c + claim__W_branches.of(W_0(q)).subs(q, value), least, evaluate=False))
+    step("by W_0 the time is at least", Ge(1 + c + branches.of(W_0(q)).subs(q, value), least, evaluate=False))
     falls = part_of(claim__F_monotone, StrictlyDecreasing)
     below = step("a value below", Lt(eq34.rhs.subs(w, -1 - c), value, evaluate=False))
     if sign_by_factors(sp.factor(sp.expand(below.lts - below.gts)), {}) != -1:
         raise DerivationError(f"{below} is not known")
-    root = claim__W_branches.of(W_1(q)).subs(q, value)
-    inverse = next(p for p in claim__W_branches.parts if p.has(exp) and p.has(W_1))
+    root = branches.of(W_1(q)).subs(q, value)
+    inverse = next(p for p in branches.parts if p.has(exp) and p.has(W_1))
     image = Eq(*(side.subs(q, value).subs(W_1(value), root) for side in inverse.args), evaluate=False)
-    beyond = part_of(claim__W_branches, sp.LessThan)
+    beyond = part_of(branches, sp.LessThan)
     if beyond.lts != W_1(q):
         raise DerivationError(f"{beyond} is not the bound of W_(-1)")
     inside = [step("W_(-1) lies where F falls", Le(root, beyond.gts, evaluate=False))]
     left = arguments_reversed(falls, below, -1 - c, image, root, inside)
-    least_time = 1 + c + claim__W_branches.of(W_0(q)).subs(q, value)
+    least_time = 1 + c + branches.of(W_0(q)).subs(q, value)
     return And(Gt(least_time, 0, evaluate=False), Lt(1 + c + left.lts, 1 + c + left.gts, evaluate=False))
 
 
@@ -151,9 +153,10 @@ def descent_time(eq33, eq34, claim__W_branches, claim__principal_branch):
     argument, value = eq33.lhs.args[0], eq33.rhs
     step("(33) with F written out", Eq(eq34.rhs.subs(w, argument), value, evaluate=False))
     drop = gamma**2 * D / g
+    branches = conclusions(claim__W_branches, q, value)
     positive = part_of(claim__principal_branch, sp.StrictGreaterThan).gts.subs(c, drop)
     for branch in (W_0, W_1):
-        inverse = claim__W_branches.of(branch(q)).subs(q, value)
+        inverse = branches.of(branch(q)).subs(q, value)
         found = isolate(Eq(argument, inverse, evaluate=False), t_AB)
         if sp.simplify(sp.expand(gamma * found.rhs - positive)) == 0:
             return step("back from w to the time", Eq(t_AB, sp.expand(found.rhs)))

@@ -17,6 +17,7 @@ from galileo_sym.ledger import (
 )
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
+    conclusions,
     elementary_limit,
     isolate,
     limit_along,
@@ -125,10 +126,14 @@ def principal(eq37, claim__W_branches, claim__F_monotone):
     return invert(eq37, claim__W_branches, claim__F_monotone, W_0)
 
 
-@chapter.derive("chord.eq39", near_branch_point(W_1, -1), BESIDE, erratum=ONE_SIDED)
+@chapter.derive(
+    "chord.eq39", near_branch_point(W_1, -1), Domain(BESIDE.ranges, where={W_1(q): LambertW(q, -1)}), erratum=ONE_SIDED
+)
 def other(eq37, claim__W_branches, claim__F_monotone):
-    """(37) inverted for w < -1."""
-    return invert(eq37, claim__W_branches, claim__F_monotone, W_1)
+    """(37) inverted for w < -1, where q = F(-1 - h) is negative."""
+    falling, w, side = next(c for c in claim__F_monotone.parts if isinstance(c, StrictlyDecreasing)).args
+    branches = conclusions(claim__W_branches, q, falling.subs(w, side.end - h))
+    return invert(eq37, branches, claim__F_monotone, W_1)
 
 
 TIME = 1 / gamma + gamma * D / g + LambertW(-exp(-1 - gamma**2 * D / g)) / gamma
@@ -150,10 +155,11 @@ def small_drag(eq36, eq38, eq39, claim__W_branches):
         (inverse,) = time.atoms(LambertW)
         path = inverse.args[0]
         rho, name = sp.symbols("rho name", real=True)
-        ratio = known.lhs.args[0].subs(branch(q), claim__W_branches.of(branch(q))).subs(inverse.subs(path, q), name)
+        value = conclusions(claim__W_branches, q, path).of(branch(q))
+        ratio = known.lhs.args[0].subs(branch(q), value).subs(inverse.subs(path, q), name)
         put = isolate(Eq(rho, ratio, evaluate=False), name).rhs.subs(q, path)
-        value = limit_along(known, gamma, path, 0)
-        limit = limit_with_part(time.subs(inverse, put), rho, value, gamma, 0)
+        slope = limit_along(known, gamma, path, 0)
+        limit = limit_with_part(time.subs(inverse, put), rho, slope, gamma, 0)
         facts.append(Eq(Limit(time, gamma, 0, "+"), limit, evaluate=False))
     if not (facts[0].rhs.is_positive and facts[1].rhs.is_negative):
         raise DerivationError("the two branches do not give times of opposite signs")

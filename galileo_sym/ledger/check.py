@@ -189,12 +189,16 @@ def inside(condition, point):
 
 
 def _given(declaration):
-    """A law or a definition stands as given; what it says of known functions alone must be true all the same."""
-    known = set(declaration.domain.ranges)
+    """A law or a definition stands as given; what it says of known functions alone must be true all the same.
+
+    Known are those that its assumptions put something in for, too.
+    """
+    known, given = frozenset(declaration.domain.ranges), dict(declaration.domain.where)
     parts = declaration.printed.args if isinstance(declaration.printed, sp.And) else (declaration.printed,)
     for part in parts:
-        if part.free_symbols <= known and not opaque(part):
-            failure = counterexample(part, declaration.domain, {}, declaration.id)
+        ready = resolve(part, given, known)
+        if ready.free_symbols <= known and not opaque(ready):
+            failure = counterexample(part, declaration.domain, given, declaration.id)
             if failure is not None:
                 return Kind.REFUTED, "what is given is false", failure
     declaration.domain.points(1, declaration.id)

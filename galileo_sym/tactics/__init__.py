@@ -27,7 +27,7 @@ from .eliminate import eliminate, eliminate_angle
 from .entire_series import affine_series, divide_series, entire_series, renumber, times_sum, with_tail
 from .factors import first_order, introduce, limits_at_zero, twin_at_zero
 from .homogeneous import by_differentiation, homogeneous, independent_sides, proportional_below
-from .hypotheses import instantiate, modus_ponens, same_argument
+from .hypotheses import conclusions, instantiate, modus_ponens, same_argument
 from .implicit import implicit_derivative
 from .inverse import inverse_between, undo
 from .known_limits import limit_of_inverse, limit_with_part
@@ -87,6 +87,7 @@ __all__ = [
     "closed_at_end",
     "compare_on",
     "compose_monotone",
+    "conclusions",
     "continuous_inverse",
     "continuous_on",
     "divide_series",

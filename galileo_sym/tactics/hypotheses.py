@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from galileo_sym.ledger import DerivationError, ForAll, tactic
+from galileo_sym.ledger import DerivationError, ForAll, Premise, tactic
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.ledger.predicates import Claim
 
@@ -52,6 +52,27 @@ def modus_ponens(implication: sp.Implies, supposed) -> sp.Basic:
     if missing:
         raise DerivationError(f"not supposed: {missing}")
     return conclusion
+
+
+@tactic
+def conclusions(premise: Premise, variable, place) -> Premise:
+    """What a conjunction with implications says of a place that meets their conditions.
+
+    Parameters
+    ----------
+    premise : Premise
+    variable : Symbol
+        Of the conditions. It stays in what is returned, which is true of `place`.
+    place : expression
+        SymPy must see, from the signs of its symbols, that it meets the conditions.
+    """
+    told = []
+    for part in premise.parts:
+        condition, conclusion = part.args if isinstance(part, sp.Implies) else (sp.true, part)
+        if condition.free_symbols - {variable} or condition.subs(variable, place) != sp.true:
+            raise DerivationError(f"{place} is not shown to meet {condition}")
+        told += sp.And.make_args(conclusion)
+    return Premise(premise.id, sp.And(*told, evaluate=False))
 
 
 @tactic

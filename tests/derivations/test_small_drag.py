@@ -23,10 +23,24 @@ from galileo_sym.derivations.chord.notation import (
     zeta,
 )
 from galileo_sym.ledger import ExactlyOneRoot, TracesOnce, UniqueMaximum
+from galileo_sym.ledger.numeric import holds
 
 pytestmark = pytest.mark.xdist_group("chord")
 
 SETTING = {mu: mp.mpf("0.36"), gamma: mp.mpf("0.7"), g: mp.mpf("9.8"), t: mp.mpf("1.3")}
+
+
+@pytest.mark.parametrize("value", ["-0.35", "-1e-9", "1e-9", "2.5", "1e30"])
+def test_w_where_each_branch_is_real(ledger, value):
+    """The roots of w e^w = q, found by bisection, and no others, are those that (35) names: two for q < 0 only."""
+    named = ledger["chord.eq35"].result.args[1]
+    brackets = [(-1, 80)] if float(value) >= 0 else [(-1, 0), (-60, -1)]
+    with mp.workdps(100):
+        level = mp.mpf(value)
+        for bracket in brackets:
+            root = mp.findroot(lambda z: z * mp.exp(z) - level, bracket, solver="bisect", maxsteps=500)
+            assert holds(named, {w: root, q: level})
+            assert not holds(named, {w: root - mp.mpf("1e-40"), q: level})
 
 
 def fallen(time, drag, gravity):

@@ -260,6 +260,13 @@ def test_an_equation_is_not_given():
     assert Ledger([made])["chord.eq25"].verdict.kind is Kind.DEFINITION
 
 
+@pytest.mark.parametrize(("value", "kind"), [(2 * p, Kind.DEFINITION), (p, Kind.REFUTED)])
+def test_what_is_given_must_be_true_of_what_is_put_in(value, kind):
+    made = Chapter("chord.test", small.notation, "a chapter of the tests")
+    made.given("chord.eq25", TWICE, Domain(SOME.ranges, where={q: value}))
+    assert Ledger([made])["chord.eq25"].verdict.kind is kind
+
+
 def test_a_law_without_a_point_is_vacuous():
     made = Chapter("chord.test", small.notation, "a chapter of the tests")
     made.given("chord.eq25", TWICE, Domain({p: sp.S.EmptySet}))

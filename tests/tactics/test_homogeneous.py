@@ -4,9 +4,10 @@ import pytest
 import sympy as sp
 from sympy import And, Eq, Function, Ge, Gt, Implies, Interval, Lt, Max, acos, cos, oo, sin
 
-from galileo_sym.ledger import DerivationError, ForAll, Independent, StrictlyIncreasing
+from galileo_sym.ledger import DerivationError, ForAll, Independent, Premise, StrictlyIncreasing
 from galileo_sym.tactics import (
     by_differentiation,
+    conclusions,
     homogeneous,
     independent_sides,
     instantiate,
@@ -52,6 +53,14 @@ def test_modus_ponens():
         modus_ponens(implication, (Gt(x, 0),))
     with refused:
         modus_ponens(Gt(x, 0), (Gt(x, 0),))
+
+
+def test_conclusions_where_the_condition_is_met():
+    told = Premise("test", And(Eq(y, x), Implies(Lt(x, 0), And(Lt(y, 1), Gt(y, -1)))))
+    assert conclusions(told, x, -u).statement == And(Eq(y, x), Lt(y, 1), Gt(y, -1))
+    for variable, place in ((x, u), (x, v - u), (y, -u)):
+        with refused:
+            conclusions(told, variable, place)
 
 
 def test_a_value_taken_once():
