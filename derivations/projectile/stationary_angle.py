@@ -89,23 +89,22 @@ FACTOR_OF_ALPHA = tan(theta) ** 2 + (U_OF_ALPHA + 1) * Y_OF_ALPHA / ((Y_OF_ALPHA
     "projectile.thm3.only-alpha",
     And(
         Eq(tan(theta) ** 2 + SLOPE, FACTOR_OF_ALPHA),
-        Independent(FACTOR_OF_ALPHA, v),
-        Independent(FACTOR_OF_ALPHA, g),
-        Independent(FACTOR_OF_ALPHA, k),
+        Independent(tan(theta) ** 2 + SLOPE, v),
+        Independent(tan(theta) ** 2 + SLOPE, g),
     ),
     Domain(
         {g: POSITIVE, v: POSITIVE, alpha: POSITIVE, theta: BETWEEN}, where={**TRIAL_Y, u: U_OF_THETA, k: alpha * g / v}
     ),
 )
 def only_alpha(thm2__stationary, lemma__b, def__uyR, def__alpha):
-    """Where tan^2 + dy/du vanishes, k, v and g enter through u alone, and there through alpha."""
+    """Where tan^2 + dy/du vanishes, k, v and g enter through u alone, and there through alpha: with k = alpha g/v."""
     factor = _vanishing(_condition(thm2__stationary))
     resistance = isolate(def__alpha.equation, k).rhs
     named = sp.cancel(def__uyR.of(U(k, theta)).subs(k, resistance))
     explicit = factor.subs(SLOPE, lemma__b.of(SLOPE)).subs(Y, def__uyR.of(Y)).subs(u, named)
     if explicit.has(v, g, k):
         raise DerivationError(f"{explicit} depends on more than alpha and theta")
-    return And(Eq(factor, explicit), *(Independent(explicit, parameter) for parameter in (v, g, k)))
+    return And(Eq(factor, explicit), *(Independent(factor, parameter) for parameter in (v, g)))
 
 
 @chapter.derive(
