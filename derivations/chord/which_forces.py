@@ -1,9 +1,10 @@
 """Section 6: which resistive forces f(v) preserve Galileo's paradox, equations (50) to (53)."""
 
 import sympy as sp
-from sympy import And, Eq, Gt, Implies, Interval, LambertW, Lt, Max, cos, exp, log, oo, pi, sin
+from sympy import And, Eq, Gt, Implies, Interval, LambertW, Lt, Max, Tuple, atan, cos, exp, log, oo, pi, sin
 
 from galileo_sym.derivations.chord.notation import (
+    AB,
     D,
     R,
     T,
@@ -23,7 +24,7 @@ from galileo_sym.derivations.chord.notation import (
     when,
     x,
     y,
-)
+)  # fmt: skip
 from galileo_sym.derivations.chord.shared import centred
 from galileo_sym.ledger import (
     NONNEGATIVE,
@@ -35,6 +36,7 @@ from galileo_sym.ledger import (
     ForAll,
     Independent,
     StrictlyIncreasing,
+    TracesOnce,
     step,
     tell_chapter,
 )
@@ -50,6 +52,7 @@ from galileo_sym.tactics import (
     proportional_below,
     same_argument,
     sign_by_factors,
+    trace_circle,
     values_ordered,
 )
 
@@ -60,7 +63,7 @@ SPEED = 2 * R(t).diff(t)  # along AC
 
 # 2R(t) is the distance along AC. The paradox: whatever D, when the bead on AC is at C, at T(D), each other is at its B.
 NEVER_BACK = StrictlyIncreasing(2 * R(t), t, Interval(0, oo))
-PARADOX = ForAll(And(Eq(2 * R(T(D)), D), Eq(s(T(D)), s_AB)), D, Interval.open(0, 2 * R(t_0)))
+PARADOX = ForAll(And(Eq(2 * R(T(D)), D), Eq(s(T(D)), AB(D))), D, Interval.open(0, 2 * R(t_0)))
 SUPPOSED = (NEVER_BACK, PARADOX)
 
 
@@ -68,7 +71,7 @@ def linear(drag):
     """What is put in for the unknowns where a statement is tried: the motions with linear drag."""
     fallen = g / drag * t - g / drag**2 * (1 - exp(-drag * t))
     descent = 1 / drag + drag * D / g + LambertW(-exp(-1 - drag**2 * D / g)) / drag
-    return {f(v): drag * v, s(t): fallen * cos(theta), R(t): fallen / 2, T(D): descent, s_AB: D * cos(theta)}
+    return {f(v): drag * v, s(t): fallen * cos(theta), R(t): fallen / 2, T(D): descent, AB(D): D * cos(theta)}
 
 
 UNTIL = {g: POSITIVE, gamma: POSITIVE, t_0: POSITIVE, theta: INSIDE, t: Interval.Ropen(0, t_0)}
@@ -77,6 +80,8 @@ MOVING = Domain({**UNTIL, t: Interval.open(0, t_0)}, {**linear(gamma), **BEAD}, 
 MOTION = Domain(UNTIL, linear(gamma), SUPPOSED)
 
 CIRCLE = Eq(x**2 + (y - R(t)) ** 2, R(t) ** 2)
+BEAD_AT = Tuple(2 * R(t) * sin(theta) * cos(theta), 2 * R(t) * cos(theta) ** 2)
+BUT_FOR_A = TracesOnce(BEAD_AT, theta, INSIDE, CIRCLE, Gt(y, 0), Tuple(x, y), atan(x / y))
 CONDITION = Eq(f(SPEED * cos(theta)) / (2 * cos(theta)), g / 2 - R(t).diff(t, 2))
 
 chapter.given(
@@ -92,16 +97,11 @@ chapter.given(
 )
 
 
-def part(statements, about):
-    """The equation or inequality with this left side."""
-    return next(e for e in statements if e.args[0] == about)
-
-
 @chapter.derive(
     "chord.claim.paradox-implies-circles",
     Implies(
         And(*SUPPOSED),
-        And(CIRCLE, Gt(s(t), 0), Eq(2 * R(t).diff(t, 2), g - f(SPEED))),
+        And(CIRCLE, Eq(Tuple(x, y), BEAD_AT), BUT_FOR_A, Gt(s(t), 0), Eq(2 * R(t).diff(t, 2), g - f(SPEED))),
     ),
     Domain(MOVING.ranges, MOVING.where),
     erratum=Erratum(
@@ -111,22 +111,27 @@ def part(statements, about):
     ),
 )
 def circles(eq3, eq50, setup):
-    """At the time t take D = 2R(t), the distance along AC: then T(D) = t, and every bead is at its B."""
-    at_b = PARADOX.subs(s_AB, eq3.of(s_AB))
+    """At the time t take D = 2R(t), the distance along AC: then T(D) = t, and every bead is at its B.
+
+    Seen from the centre that B is at the angle 2 theta: all beads together are on the whole circle but for A.
+    """
     moving = [step("after the release", Gt(t, 0)), step("and before t_0", Lt(t, t_0))]
     below = values_ordered(NEVER_BACK, 0, t, moving).subs(R(0), setup.of(s(0)) / 2)  # 2R is s at theta = 0
     above = values_ordered(NEVER_BACK, t, t_0, moving)
     inside = [step("the bead has left A", below), step("it is not yet where it is at t_0", above)]
-    on_ac, on_ab = instantiate(at_b, 2 * R(t), inside).args
-    if on_ac.has(s):
-        on_ac, on_ab = on_ab, on_ac
+    on_ac, on_ab = sorted(instantiate(PARADOX, 2 * R(t), inside).args, key=lambda e: e.has(s))
     now = step("2R takes no value twice", same_argument(NEVER_BACK, on_ac, T(2 * R(t)), t))
-    path = step("every bead is at its B", on_ab.subs(now.lhs, now.rhs))
+    chord = on_ab.subs(AB(2 * R(t)), eq3.of(s_AB).subs(D, 2 * R(t)))
+    path = step("every bead is at its B", chord.subs(now.lhs, now.rhs))
     upright = step("inside a quarter turn", Gt(cos(theta), 0))
     if sign_by_factors(path.rhs, {2 * R(t): Gt(below.gts, below.lts), cos(theta): upright}) < 0:
         raise DerivationError("the beads move upwards")
     vertical = eq50.subs(theta, 0).subs(s(t), 2 * R(t)).doit()
-    return Implies(And(*SUPPOSED), And(circle_of(path, setup), Gt(s(t), 0), Eq(2 * R(t).diff(t, 2), vertical.rhs)))
+    circle = circle_of(path, setup)
+    point = Tuple(*(setup.of(place).subs(s(t), path.rhs) for place in (x, y)))
+    traced = trace_circle(point, theta, INSIDE, circle, Gt(y, 0), (x, y), atan(x / y), positive=below)
+    motion = Eq(2 * R(t).diff(t, 2), vertical.rhs)
+    return Implies(And(*SUPPOSED), And(circle, Eq(Tuple(x, y), point), traced, Gt(s(t), 0), motion))
 
 
 def circle_of(path, setup):
@@ -142,7 +147,7 @@ def circle_of(path, setup):
 def synchronous_circle(claim__paradox_implies_circles):
     """The conclusion of the claim before, the paradox supposed."""
     conclusion = modus_ponens(claim__paradox_implies_circles.statement, SUPPOSED)
-    return centred(next(e for e in conclusion.args if isinstance(e, Eq) and e.has(x)))
+    return centred(next(e for e in conclusion.args if isinstance(e, Eq) and e.lhs.has(x) and e.rhs.has(R)))
 
 
 @chapter.derive(
@@ -158,7 +163,8 @@ def synchronous_circle(claim__paradox_implies_circles):
 )
 def path(eq51, setup, claim__paradox_implies_circles):
     """Put x = s sin(theta), y = s cos(theta) in (51): s = 0 or s = 2 R cos(theta). At t = 0 both are right."""
-    moved = part(modus_ponens(claim__paradox_implies_circles.statement, SUPPOSED).args, s(t))
+    told = modus_ponens(claim__paradox_implies_circles.statement, SUPPOSED).args
+    moved = next(e for e in told if e.args[0] == s(t))
     if not isinstance(moved, sp.StrictGreaterThan) or moved.rhs != 0 or setup.of(s(0)) != 0:
         raise DerivationError(f"{moved} does not say that the bead has left A")
     length = sp.Dummy("s", real=True)
@@ -223,10 +229,7 @@ KINKED = {f(v): sp.Piecewise((2 * v, v <= sp.Rational(49, 10)), (2 * v + 7 * (v 
         "only for the speeds 0 <= v < v_sup reached from rest (g/gamma at last, for gamma > 0): above them f is "
         "free. The paradox is needed for every D, and f must not depend on theta",
         Implies(HYPOTHESES, ForAll(Eq(f(v), gamma * v), v, POSITIVE)),
-        Domain(
-            {**UP_TO, g: sp.FiniteSet(sp.Rational(49, 5)), b: sp.FiniteSet(2)},
-            {**UNKNOWNS, **KINKED},
-        ),
+        Domain({**UP_TO, g: sp.FiniteSet(sp.Rational(49, 5)), b: sp.FiniteSet(2)}, {**UNKNOWNS, **KINKED}),
     ),
 )
 def only_linear(claim__rhs_independent, eq50, setup):

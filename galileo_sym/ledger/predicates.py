@@ -149,7 +149,8 @@ class TracesOnce(Claim):
     """``TracesOnce((X, Y), q, interval, curve, region, (x, y), inverse)``.
 
     As q runs through the interval the point (X(q), Y(q)) runs once through exactly those points (x, y) of `curve`
-    that lie in `region`; `inverse` gives q from (x, y), inside the interval.
+    that lie in `region`; `inverse` gives q from (x, y), inside the interval. A closed curve ends where it began: the
+    ends of a closed interval may both give one point, where `inverse` need not have a value; it counts once.
     """
 
     @property
@@ -173,7 +174,8 @@ class TracesOnce(Claim):
         there = {x: a + radius * sp.cos(FIRST), y: b + radius * sp.sin(FIRST)}
         back = inverse.xreplace(there)
         trace = [sp.Eq(f.xreplace({q: back}), there[c], evaluate=False) for f, c in ((px, x), (py, y))]
-        inside = [sp.Ge(back, interval.start, evaluate=False), sp.Le(back, interval.end, evaluate=False)]
+        after, before = sp.Gt if interval.left_open else sp.Ge, sp.Lt if interval.right_open else sp.Le
+        inside = [after(back, interval.start, evaluate=False), before(back, interval.end, evaluate=False)]
         on_it = sp.And(*trace, *inside, evaluate=False)
         reached = on_it if region == sp.true else sp.Or(sp.Not(_at(region, there)), on_it, evaluate=False)
         return [(reached, {FIRST: sp.Rational(n, 7919)}) for n in (1583, 9473, 19001, 27011, 37003, 45007)]

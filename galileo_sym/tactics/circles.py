@@ -43,12 +43,15 @@ def read_circle(equation: sp.Eq, x, y) -> Circle:
 
 
 @tactic
-def trace_circle(point, parameter, interval, equation, region, coordinates, inverse, offset=sp.S.Zero, using=None):
+def trace_circle(
+    point, parameter, interval, equation, region, coordinates, inverse, offset=sp.S.Zero, using=None, positive=None
+):
     """Show that a moving point traces exactly the part of a circle in a region, once.
 
     The point, seen from the centre, is rho*(sin(phi), cos(phi)) with phi = 2*parameter + offset. It runs through the
     whole circle if phi gains 2*pi, and through the part on one side of the vertical if it starts and ends there, at
-    equal heights above and below the centre (phi and pi - phi).
+    equal heights above and below the centre (phi and pi - phi). Without the ends, where phi is -pi and pi, the whole
+    circle lacks the one point that is on the x-axis, if the centre is a radius beside it.
 
     Parameters
     ----------
@@ -58,7 +61,7 @@ def trace_circle(point, parameter, interval, equation, region, coordinates, inve
     equation : Eq
         The circle.
     region : Boolean
-        True for the whole circle, or x >= 0, or x <= 0.
+        True for the whole circle, or x >= 0, or x <= 0, or y > 0.
     coordinates : pair of symbols (x, y)
     inverse : expression
         The parameter as a function of x and y: atan(x/y), the parameter being the angle at the origin.
@@ -66,6 +69,8 @@ def trace_circle(point, parameter, interval, equation, region, coordinates, inve
         Of the angle phi.
     using : dict, optional
         Known relations to be put in when the ends of the arc are compared.
+    positive : Gt or Lt, optional
+        Proved: that the radius, or a multiple of it, is positive. Needed for y > 0.
 
     Returns
     -------
@@ -85,7 +90,10 @@ def trace_circle(point, parameter, interval, equation, region, coordinates, inve
     for end in (interval.start, interval.end):
         require_inside(end, sp.Interval(-sp.pi / 2, sp.pi / 2))
     first, last = (phi.subs(parameter, end) for end in (interval.start, interval.end))
-    _covers(first, last, region, x, circle, using or {})
+    if region == sp.Gt(y, 0):
+        _all_but_one(first, last, interval, circle, positive)
+    else:
+        _covers(first, last, region, x, circle, using or {})
     return TracesOnce(sp.Tuple(*point), parameter, interval, equation, region, sp.Tuple(x, y), inverse)
 
 
@@ -105,6 +113,17 @@ def _covers(first, last, region, x, circle, using):
         raise DerivationError(f"the arc from {first} to {last} does not begin and end on the vertical")
     if not ordered(last, first + 2 * sp.pi, strict=True):
         raise DerivationError(f"the arc from {first} to {last} is not shown to be less than a turn")
+
+
+def _all_but_one(first, last, interval, circle, positive):
+    """Refuse what is not a whole circle above the x-axis, touching it where the open interval ends."""
+    if not (interval.left_open and interval.right_open) or (first, last) != (-sp.pi, sp.pi):
+        raise DerivationError(f"the angle from {first} to {last} does not leave out just the highest or lowest point")
+    if sp.simplify(circle.centre[1] - circle.radius) != 0:
+        raise DerivationError(f"a circle with the centre {circle.centre} and radius {circle.radius} is not above y = 0")
+    strict = isinstance(positive, sp.StrictGreaterThan | sp.StrictLessThan)
+    if not strict or not sp.cancel((positive.gts - positive.lts) / circle.radius).is_positive:
+        raise DerivationError(f"the radius {circle.radius} is not shown to be positive")
 
 
 @tactic

@@ -5,8 +5,8 @@ import math
 import pytest
 import sympy as sp
 
-from galileo_sym.derivations.chord.notation import D, R, T, b, f, g, gamma, s, s_AB, t, t_0, theta, v, v_sup
-from galileo_sym.ledger import Domain, Kind
+from galileo_sym.derivations.chord.notation import AB, D, R, T, b, f, g, gamma, s, t, t_0, theta, v, v_sup, y
+from galileo_sym.ledger import Domain, Kind, TracesOnce
 from galileo_sym.ledger.check import counterexample
 from galileo_sym.ledger.inventory import inventory
 
@@ -75,7 +75,7 @@ def test_the_hypothesis_is_false_for_a_quadratic_force(ledger):
         s(t): fall(g * sp.cos(theta)),
         R(t): fall(g) / 2,
         T(D): sp.acosh(sp.exp(drag * D)) / sp.sqrt(drag * g),
-        s_AB: D * sp.cos(theta),
+        AB(D): D * sp.cos(theta),
     }
     some = sp.FiniteSet(1)
     assert counterexample(never_back, Domain({g: some, drag: some}), motions, "quadratic") is None
@@ -83,6 +83,18 @@ def test_the_hypothesis_is_false_for_a_quadratic_force(ledger):
     assert counterexample(paradox, domain, motions, "quadratic") is not None
     on_ac = Domain({**domain.ranges, theta: sp.FiniteSet(0)})
     assert counterexample(paradox, on_ac, motions, "quadratic") is None
+
+
+def test_the_curve_is_the_whole_circle_but_for_a(ledger):
+    """Any point of the circle above the axis is where a bead is, at the angle that its direction from A gives."""
+    conclusion = ledger["chord.claim.paradox-implies-circles"].result.args[1]
+    traced = next(e for e in conclusion.args if isinstance(e, TracesOnce))
+    assert traced.args[2] == sp.Interval.open(-sp.pi / 2, sp.pi / 2)
+    assert traced.args[4] == sp.Gt(y, 0)
+    place = sp.lambdify((R(t), theta), tuple(traced.args[0]), "math")
+    for turn in range(1, 12):
+        across, down = 1.5 * math.sin(turn * math.pi / 6), 1.5 - 1.5 * math.cos(turn * math.pi / 6)
+        assert place(1.5, math.atan2(across, down)) == pytest.approx((across, down))
 
 
 def test_the_theorem_speaks_of_the_speeds_reached_alone(ledger):

@@ -276,6 +276,15 @@ class TestLimits:
         assert limit_along(_eq(Limit(f(x), x, -1, "-"), q), p, -1 - p, 0) == q
 
 
+ABOVE = {
+    "point": (p * sin(2 * r), p + p * cos(2 * r)),
+    "interval": Interval.open(-pi / 2, pi / 2),
+    "equation": _eq(x**2 + (y - p) ** 2, p**2),
+    "region": Gt(y, 0),
+    "positive": Lt(0, 2 * p, evaluate=False),
+}
+
+
 class TestCircles:
     CIRCLE = _eq(x**2 + y**2 + 2 * p * x - 6 * y, sp.S.Zero)
 
@@ -302,6 +311,7 @@ class TestCircles:
             "region": sp.true,
             "offset": sp.S.Zero,
             "inverse": sp.atan(x / y),
+            "positive": None,
         } | other
         with recording():
             return trace_circle(
@@ -313,6 +323,7 @@ class TestCircles:
                 (x, y),
                 given["inverse"],
                 given["offset"],
+                positive=given["positive"],
             )
 
     def test_a_whole_turn_and_each_half(self):
@@ -344,6 +355,30 @@ class TestCircles:
     def test_a_wrong_interval_offset_or_circle_is_refused(self, changed):
         with refused:
             self._trace(**changed)
+
+    def test_all_but_the_point_on_the_axis(self):
+        claim = self._trace(**ABOVE)
+        assert claim.args[2:5] == (ABOVE["interval"], ABOVE["equation"], Gt(y, 0))
+
+    @pytest.mark.parametrize(
+        "changed",
+        [
+            {"interval": Interval(-pi / 2, pi / 2)},
+            {"interval": Interval.Ropen(-pi / 2, pi / 2)},
+            {"interval": Interval.open(-pi / 2, 0)},
+            {"region": Lt(y, 0)},
+            {"region": Ge(y, 0)},
+            {"positive": None},
+            {"positive": Lt(0, y, evaluate=False)},
+            {"positive": Lt(2 * p, 0, evaluate=False)},
+            {"positive": Ge(p, 0, evaluate=False)},
+            {"point": (p * sin(2 * r), 3 + p * cos(2 * r)), "equation": _eq(x**2 + (y - 3) ** 2, p**2)},
+        ],
+        ids=str,
+    )
+    def test_what_is_not_all_but_one_point_is_refused(self, changed):
+        with refused:
+            self._trace(**ABOVE | changed)
 
     def test_the_widest_point(self):
         acute = Interval.open(0, pi / 2)
