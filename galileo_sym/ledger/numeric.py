@@ -218,6 +218,8 @@ def _relation(relation, point):
         return same if isinstance(relation, sp.Eq) else not same
     try:
         return _SIGN_RULES[type(relation)](sign(relation.lhs - relation.rhs, point))
+    except ZeroDivisionError:  # what has no value here is neither larger nor smaller
+        return False
     except Untestable as problem:
         if "not real" in str(problem):
             return False

@@ -221,3 +221,10 @@ def test_the_sign_of_a_product_is_that_of_its_roots(roots, at):
     assert holds(_raw(Gt, expanded, sp.S.Zero), point) is bool(exact == 1)
     assert holds(_raw(Lt, expanded, sp.S.Zero), point) is bool(exact == -1)
     assert holds(_raw(Eq, expanded, sp.S.Zero), point) is bool(exact == 0)
+
+
+def test_what_has_no_value_at_a_point_is_in_no_order_there():
+    unless = sp.Or(_raw(Eq, q, 1), _raw(Lt, 1 / (q - 1), 5))
+    assert holds(unless, {q: 1})
+    assert not holds(_raw(Lt, 1 / (q - 1), 5), {q: 1})
+    assert not holds(_raw(Ge, 1 / (q - 1), 5), {q: 1})
