@@ -126,16 +126,19 @@ def line_angle(eq21):
 
 @chapter.derive(
     "chord.claim.centre-line-angle",
-    And(Eq(x_c(t) / y_c(t), tan(-theta_c)), Independent(-mu, t)),
-    MOVING,
+    And(Eq(x_c(t) / y_c(t), tan(-theta_c)), Independent(x_c(t) / y_c(t), t)),
+    Domain(MOVING.ranges, where={x_c(t): -mu * K, y_c(t): K}),
 )
 def centre_line(eq21, eq23):
     """The direction of the centre, -mu, does not change; by (23) mu is the tangent of theta_c."""
     a, b = read_circle(eq21.equation, x, y).centre
     direction = sp.simplify(a / b)
     step("the centre", Eq(CENTRE, Tuple(a, b)))
+    if direction.has(t):
+        raise DerivationError(f"the direction {direction} changes")
     slope = isolate(eq23.equation, mu)
-    return And(Eq(x_c(t) / y_c(t), direction.subs(mu, slope.rhs), evaluate=False), Independent(direction, t))
+    line = Eq(x_c(t) / y_c(t), direction.subs(mu, slope.rhs), evaluate=False)
+    return And(line, Independent(x_c(t) / y_c(t), t))
 
 
 @chapter.derive("chord.support.theta-c-max", Eq(theta_c + theta_max, pi / 2), Domain({mu: POSITIVE}))

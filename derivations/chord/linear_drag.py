@@ -1,7 +1,7 @@
 """Section 4: a resistive force proportional to velocity, equations (28) to (36)."""
 
 import sympy as sp
-from sympy import And, Eq, Gt, Interval, Lt, Tuple, atan, cos, exp, oo, pi, sin
+from sympy import And, Eq, Gt, Interval, LambertW, Lt, Tuple, atan, cos, exp, oo, pi, sin
 
 from galileo_sym.derivations.chord.notation import (
     D,
@@ -59,6 +59,8 @@ DESCENT = Domain({g: POSITIVE, D: POSITIVE, gamma: POSITIVE, theta: INSIDE})
 DRAG = gamma * v  # the resistive force for unit mass that section 4 is about
 FALLEN = g / gamma * t - g / gamma**2 * (1 - exp(-gamma * t))
 FALLEN_AB = g / gamma * t_AB - g / gamma**2 * (1 - exp(-gamma * t_AB))
+ALONG = gamma**2 * s_AB / (g * cos(theta))
+BY_CHORD = (1 + ALONG + LambertW(-exp(-1 - ALONG))) / gamma  # when the bead has gone the length of its chord
 
 
 @chapter.derive(
@@ -142,17 +144,19 @@ def whole_circles(eq29, eq31, eq32, setup, eq7, eq8):
 
 @chapter.derive(
     "chord.claim.paradox-persists-linear-drag",
-    And(Independent(FALLEN_AB, theta), ExactlyOneRoot(FALLEN_AB - D, t_AB, Interval.open(0, oo))),
-    Domain({**DESCENT.ranges, t_AB: POSITIVE}),
+    And(Independent(t_AB, theta), ExactlyOneRoot(FALLEN_AB - D, t_AB, Interval.open(0, oo))),
+    Domain(DESCENT.ranges, where={t_AB: BY_CHORD, s_AB: D * cos(theta)}),
     erratum=Erratum(("C8",), "that the root is unique is not argued"),
 )
 def paradox_persists(eq30):
     """The right side of (30) increases from 0 without bound, so one positive time belongs to each D, whatever theta."""
+    if eq30.statement.has(theta):
+        raise DerivationError(f"{eq30.statement} depends on the angle")
     fall = eq30.rhs
     rising = monotone_on_half_line(fall, t_AB, Interval.open(0, oo))
     ends = (Eq(sp.Limit(fall, t_AB, 0, "+"), elementary_limit(fall, t_AB, 0), evaluate=False),)
     ends += (Eq(sp.Limit(fall, t_AB, oo, "-"), elementary_limit(fall, t_AB, oo, "-"), evaluate=False),)
-    return And(Independent(fall, theta), one_root(rising, D, ends=ends))
+    return And(Independent(t_AB, theta), one_root(rising, D, ends=ends))
 
 
 @chapter.derive(

@@ -196,7 +196,7 @@ def condition(eq50, eq52):
         Independent(f(SPEED * cos(theta)) / (2 * cos(theta)), theta),
         Eq(f(SPEED * cos(theta)), cos(theta) * f(SPEED)),
     ),
-    MOTION,
+    Domain(UNTIL, {**MOTION.where, R(t): s(t) / (2 * cos(theta))}, SUPPOSED),  # as it is seen on each chord
 )
 def independent(eq53):
     """R(t) does not depend on theta, so neither does the left side, which is therefore what it is at theta = 0."""

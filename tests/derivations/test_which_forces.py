@@ -5,8 +5,27 @@ import math
 import pytest
 import sympy as sp
 
-from galileo_sym.derivations.chord.notation import AB, D, R, T, b, f, g, gamma, s, t, t_0, theta, v, v_sup, y
-from galileo_sym.ledger import Domain, Kind, TracesOnce
+from galileo_sym.derivations.chord.notation import (
+    AB,
+    D,
+    R,
+    T,
+    b,
+    f,
+    g,
+    gamma,
+    s,
+    s_AB,
+    t,
+    t_0,
+    theta,
+    v,
+    v_sup,
+    x,
+    x_c,
+    y,
+)
+from galileo_sym.ledger import Domain, Independent, Kind, TracesOnce
 from galileo_sym.ledger.check import counterexample
 from galileo_sym.ledger.inventory import inventory
 
@@ -95,6 +114,25 @@ def test_the_curve_is_the_whole_circle_but_for_a(ledger):
     for turn in range(1, 12):
         across, down = 1.5 * math.sin(turn * math.pi / 6), 1.5 - 1.5 * math.cos(turn * math.pi / 6)
         assert place(1.5, math.atan2(across, down)) == pytest.approx((across, down))
+
+
+@pytest.mark.parametrize(
+    ("identifier", "quantity", "other"),
+    [
+        ("chord.claim.rhs-independent", s(t), g * t**2 * sp.cos(theta) ** 2),
+        ("chord.claim.paradox-persists-linear-drag", s_AB, D),
+        ("chord.claim.rescaled-time-independent", x, g * t),
+        ("chord.claim.centre-line-angle", x_c(t), g * t),
+    ],
+)
+def test_another_motion_is_not_independent(ledger, identifier, quantity, other):
+    """The trials of independence fail where it is not so."""
+    domain = ledger[identifier].declaration.domain
+    claims = [e for e in ledger[identifier].result.args if isinstance(e, Independent)]
+    assert claims
+    for claim in claims:
+        assert counterexample(claim, domain, dict(domain.where), identifier) is None
+        assert counterexample(claim, domain, {**domain.where, quantity: other}, identifier) is not None
 
 
 def test_the_theorem_speaks_of_the_speeds_reached_alone(ledger):
