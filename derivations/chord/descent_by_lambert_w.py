@@ -44,9 +44,17 @@ VALUES = sp.Union(BELOW_0, FROM_0, evaluate=False)  # of F: each is taken once f
 OTHER_ROOT = sp.Piecewise((LambertW(q, -1), q < 0), (LambertW(q), True))
 ANY_OR_A_ROOT = sp.Union(sp.FiniteSet(LambertW(q)), sp.FiniteSet(OTHER_ROOT), REAL, evaluate=False)
 
+EQ36 = Eq(t_AB, 1 / gamma + gamma * D / g + LambertW(-exp(-1 - gamma**2 * D / g)) / gamma)
+ARRIVAL = Eq(D, g / gamma * t_AB - g / gamma**2 * (1 - exp(-gamma * t_AB)))
 ONLY_LIMIT = Erratum(
     ("C7",),
-    "the paper chooses W_0 by the limit gamma -> 0 only; it is right for every gamma > 0 (for gamma < 0 it is W_(-1))",
+    "the paper chooses W_0 by the limit gamma -> 0 only; it is right for every gamma > 0, and not for gamma < 0, where "
+    "the positive root of (30) is that by W_(-1)",
+    Implies(And(Gt(t_AB, 0, evaluate=False), ARRIVAL), EQ36),
+    Domain(
+        {g: sp.FiniteSet(1), D: sp.FiniteSet(1), gamma: sp.FiniteSet(-sp.Rational(1, 2))},
+        where={t_AB: other_branch(EQ36.rhs)},
+    ),
 )
 
 
@@ -144,7 +152,7 @@ def principal_branch(claim__W_branches, claim__F_monotone, eq34):
 
 @chapter.derive(
     "chord.eq36",
-    Eq(t_AB, 1 / gamma + gamma * D / g + LambertW(-exp(-1 - gamma**2 * D / g)) / gamma),
+    EQ36,
     DROP,
     erratum=ONLY_LIMIT,
 )

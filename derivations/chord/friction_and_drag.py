@@ -1,7 +1,7 @@
 """Section 5: sliding friction and linear drag together, equations (40) to (49)."""
 
 import sympy as sp
-from sympy import Abs, And, Eq, Implies, Interval, LambertW, atan, cos, exp, sin, sqrt, tan
+from sympy import Abs, And, Eq, FiniteSet, Ge, Implies, Interval, LambertW, Rational, atan, cos, exp, sin, sqrt, tan
 
 from galileo_sym.derivations.chord.notation import (
     D,
@@ -221,7 +221,15 @@ def radius(eq41, eq45, setup, eq7, eq8):
     "chord.eq44",
     EQ44,
     BEADS,
-    erratum=Erratum(("C5",), "the circles are traced on x >= 0 (theta >= 0) and x <= 0 (theta <= 0) only"),
+    erratum=Erratum(
+        ("C5",),
+        "the circles are traced on x >= 0 (theta >= 0) and x <= 0 (theta <= 0) only: theta > theta_max gives no bead",
+        Implies(EQ44, Ge(sigma * x, 0)),
+        Domain(
+            {**SIDES.ranges, mu: FiniteSet(Rational(1, 2)), theta: FiniteSet(Rational(13, 10))},
+            where={**BEADS.where, X(t): mu * Y(t), R(t): sqrt(1 + mu**2) * Y(t), Y(t): FALLEN / 2},
+        ),
+    ),
 )
 def synchronous_curve(eq41, eq45, eq46, eq47, setup, eq7, eq8, claim__negative_theta_sign):
     """Eliminate theta; for theta < 0 the beads are the mirror images."""

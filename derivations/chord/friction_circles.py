@@ -26,7 +26,7 @@ from galileo_sym.derivations.chord.shared import (
     EQ24,
     LEFT_ARC,
     MOVING,
-    ONE_ARC,
+    WHOLE_CIRCLE,
     K,
     centred,
     doubled_coordinates,
@@ -57,7 +57,7 @@ from galileo_sym.tactics import (
 chapter = Chapter("chord.friction_circles", notation, "3. Sliding friction")
 
 
-@chapter.derive("chord.eq21", EQ21, ARC, erratum=Erratum(("C5",), ONE_ARC))
+@chapter.derive("chord.eq21", EQ21, ARC, erratum=WHOLE_CIRCLE)
 def circle(eq19, eq20):
     """Eliminate theta from (19) and (20)."""
     across, down = without_s(eq19, x), without_s(eq20, y)

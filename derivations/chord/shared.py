@@ -1,7 +1,7 @@
 """What the chapters on the synchronous curve with friction share: its arcs, circles and coordinates."""
 
 import sympy as sp
-from sympy import Eq, Interval, Tuple, atan, cos, sin
+from sympy import Eq, FiniteSet, Ge, Implies, Interval, Rational, Tuple, atan, cos, sin
 
 from galileo_sym.derivations.chord.notation import (
     g,
@@ -17,6 +17,7 @@ from galileo_sym.derivations.chord.notation import (
 from galileo_sym.ledger import (
     POSITIVE,
     Domain,
+    Erratum,
 )
 from galileo_sym.tactics import (
     read_circle,
@@ -37,6 +38,15 @@ ONE_ARC = (
 )
 RIGHT_POINT = Tuple(K * (sin(2 * theta) - mu * (1 - cos(2 * theta))), K * (1 + cos(2 * theta) - mu * sin(2 * theta)))
 LEFT_POINT = Tuple(K * (sin(2 * theta) + mu * (1 - cos(2 * theta))), K * (1 + cos(2 * theta) + mu * sin(2 * theta)))
+WHOLE_CIRCLE = Erratum(
+    ("C5",),
+    ONE_ARC + "; beyond theta_max (19) and (20) go on along the circle to x < 0, where no bead is",
+    Implies(EQ21, Ge(x, 0)),
+    Domain(
+        {g: POSITIVE, mu: FiniteSet(Rational(1, 2)), t: POSITIVE, theta: FiniteSet(Rational(13, 10))},
+        where={x: RIGHT_POINT[0], y: RIGHT_POINT[1]},
+    ),
+)
 
 
 def without_s(premise, coordinate):

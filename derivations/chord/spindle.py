@@ -81,7 +81,12 @@ def lens(eq19, eq20, eq23):
     return And(*forms)
 
 
-@chapter.derive("chord.claim.arc-x-positive", RIGHT_ARC, ARC, erratum=Erratum(("C5",), ONE_ARC))
+@chapter.derive(
+    "chord.claim.arc-x-positive",
+    RIGHT_ARC,
+    ARC,
+    erratum=Erratum(("C5",), ONE_ARC, RIGHT_ARC.func(*RIGHT_ARC.args[:4], sp.true, *RIGHT_ARC.args[5:])),
+)
 def right_arc(eq19, eq20, eq21, eq23, support__theta_c_max):
     """Seen from the centre the bead is at the angle 2 theta + theta_c, from theta_c to pi - theta_c."""
     point = (without_s(eq19, x).rhs, without_s(eq20, y).rhs)

@@ -22,7 +22,7 @@ from galileo_sym.derivations.chord.notation import (
     y,
     zeta,
 )
-from galileo_sym.ledger import ExactlyOneRoot, TracesOnce, UniqueMaximum
+from galileo_sym.ledger import ExactlyOneRoot, Kind, TracesOnce, UniqueMaximum
 from galileo_sym.ledger.numeric import holds
 
 pytestmark = pytest.mark.xdist_group("chord")
@@ -41,6 +41,26 @@ def test_w_where_each_branch_is_real(ledger, value):
             root = mp.findroot(lambda z: z * mp.exp(z) - level, bracket, solver="bisect", maxsteps=500)
             assert holds(named, {w: root, q: level})
             assert not holds(named, {w: root - mp.mpf("1e-40"), q: level})
+
+
+def test_the_circle_goes_on_where_no_bead_is(ledger):
+    """Errata C5: mu = 0.5 and theta = 1.3 in (19), (20) give x/K = -0.413, y/K = -0.115."""
+    verdict = ledger["chord.eq21"].erratum_verdict
+    assert verdict.kind is Kind.REFUTED
+    gravity, time, across, down = (float(verdict.counterexample[name]) for name in ("g", "t", "x", "y"))
+    unit = gravity * time**2 / 4
+    assert (across / unit, down / unit) == pytest.approx((-0.413, -0.115), abs=5e-4)
+    for identifier in ("chord.claim.arc-x-positive", "chord.eq44"):
+        assert ledger[identifier].erratum_verdict.kind is Kind.REFUTED
+
+
+def test_a_negative_drag_takes_the_other_branch(ledger):
+    """Errata C7: the positive root, here by bisection, for D = g = 1, gamma = -1/2 is not that by W_0."""
+    root = mp.findroot(lambda time: fallen(time, mp.mpf(-1) / 2, 1) - 1, (1, 2), solver="bisect")
+    for identifier in ("chord.eq36", "chord.claim.principal-branch"):
+        verdict = ledger[identifier].erratum_verdict
+        assert verdict.kind is Kind.REFUTED
+        assert float(verdict.counterexample["t_AB"]) == pytest.approx(float(root), rel=1e-11)
 
 
 def fallen(time, drag, gravity):
