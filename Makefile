@@ -23,11 +23,8 @@ $(STAMP): pyproject.toml
 test: install ## run the tests, in parallel
 	$(BIN)/python -m pytest -n 2 --dist loadgroup
 
-mutants: install ## put a wrong premise into every derivation, one at a time: none may still be proved
-	$(BIN)/python -m pytest -n 2 --dist loadgroup tests/derivations/test_premises_matter.py --all-mutants
-
-coverage: install ## derive everything, and hold docs/coverage.md against it
-	$(BIN)/python tools/coverage_page.py
+mutants: install ## change every statement and every premise in one place at a time: no mutant may survive
+	$(BIN)/python tools/mutation_run.py --processes 2
 
 lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .
