@@ -6,6 +6,8 @@ import sympy as sp
 
 from galileo_sym.ledger import DerivationError, tactic
 
+from .exponential_quotients import quotient_limit
+
 
 @tactic
 def elementary_limit(expr, variable, point, direction="+"):
@@ -22,6 +24,9 @@ def elementary_limit(expr, variable, point, direction="+"):
         raise DerivationError(f"{variable} cannot come to {point} from the side {direction!r}: it has a sign")
     if expr.has(sp.LambertW):
         raise DerivationError(f"remove LambertW by a parameter before taking the limit of {expr}")
+    known = quotient_limit(expr, variable, point)
+    if known is not None:
+        return known
     found = sp.limit(expr, variable, point, direction)
     if found.has(sp.Limit, sp.AccumBounds) or found is sp.nan:
         raise DerivationError(f"no limit found of {expr} as {variable} goes to {point}")
