@@ -1,9 +1,10 @@
 """Section 5: sliding friction and linear drag together, equations (40) to (49)."""
 
 import sympy as sp
-from sympy import Abs, And, Eq, FiniteSet, Ge, Implies, Interval, LambertW, Rational, atan, cos, exp, sin, sqrt, tan
+from sympy import Abs, And, Eq, FiniteSet, Ge, Gt, Implies, Interval, LambertW, Rational, atan, cos, exp, sin, sqrt, tan
 
 from galileo_sym.derivations.chord.notation import (
+    W_0,
     D,
     R,
     X,
@@ -13,6 +14,7 @@ from galileo_sym.derivations.chord.notation import (
     mu,
     n,
     notation,
+    q,
     s,
     s_AB,
     sigma,
@@ -24,7 +26,12 @@ from galileo_sym.derivations.chord.notation import (
     y,
     yt,
 )
-from galileo_sym.derivations.chord.shared import doubled_coordinates
+from galileo_sym.derivations.chord.shared import (
+    LAST_FROM_0,
+    WITH_OR_WITHOUT,
+    doubled_coordinates,
+    require_without_friction,
+)
 from galileo_sym.ledger import (
     NONNEGATIVE,
     POSITIVE,
@@ -37,6 +44,7 @@ from galileo_sym.ledger import (
     step,
     tell_chapter,
 )
+from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
     at_rest,
     check_root,
@@ -131,7 +139,10 @@ EQ43 = Eq(
 @chapter.derive(
     "chord.eq43",
     EQ43,
-    Domain({**BOTH, D: POSITIVE, theta: Interval.open(-LAST, LAST)}, where={n: N_OF_THETA}),
+    Domain(
+        {**BOTH, mu: NONNEGATIVE, D: POSITIVE, theta: Interval.open(-LAST_FROM_0, LAST_FROM_0)},
+        where={n: N_OF_THETA},
+    ),
     erratum=Erratum(
         ("C3",),
         "strictly |theta| < theta_max (n > 0)",
@@ -141,14 +152,30 @@ EQ43 = Eq(
     elsewhere=("chord.eq30", "chord.eq36"),
 )
 def descent_time(eq42, eq30, eq36, claim__negative_theta_sign):
-    """(42), divided by n = 1 - mu tan|theta|, is (30) with D/n for D: so the time is (36) with D/n for D."""
+    """(42), divided by n = 1 - mu tan|theta|, is (30) with D/n for D: so the time is (36) with D/n for D.
+
+    Without friction n is 1, and it is (36) itself.
+    """
     right = sp.simplify(eq42.rhs / eq30.rhs)
     left = claim__negative_theta_sign.of(s(t)).subs(t, t_AB) / cos(theta) / eq30.rhs
     mirrored = sp.simplify(sp.expand(left).replace(tan, lambda a: sin(a) / cos(a)) - (1 + mu * sin(theta) / cos(theta)))
     if sp.simplify(right - (1 - mu * tan(theta))) != 0 or mirrored != 0:
         raise DerivationError("(42) is not (30) with D/n")
     step("(42) with n", Eq(D / n, eq30.rhs, evaluate=False))
-    return Eq(t_AB, eq36.rhs.subs(D, D / n).subs(n, right.subs(theta, Abs(theta))))
+    time = eq36.rhs.subs(D, D / n).subs(n, right.subs(theta, Abs(theta)))
+    if is_zero(time.subs(mu, 0) - eq36.rhs) is None:
+        raise DerivationError("without friction it is not (36)")
+    return Eq(t_AB, time)
+
+
+def _after_start(by_n, branches):
+    """The time is positive: W is at least -1."""
+    least = next(e for e in branches.parts if isinstance(e, Ge) and e.lhs == W_0(q))
+    (inverse,) = by_n.atoms(LambertW)
+    above = by_n.subs(inverse, least.rhs + sp.Dummy("above", nonnegative=True))
+    if not sp.expand(above).is_positive:
+        raise DerivationError(f"{by_n} is not shown to be positive by {least}")
+    return step("after the start", Gt(t_AB, 0, evaluate=False))
 
 
 TIME_OF_N = LambertW(-exp(-1 - D * gamma**2 / (g * n))) / gamma + 1 / gamma + D * gamma / (g * n)
@@ -163,14 +190,15 @@ HALVES = ((1, Interval.Ropen(0, LAST)), (-1, Interval.Lopen(-LAST, 0)))
     ),
     Domain({**BOTH, D: POSITIVE, theta: Interval.Ropen(0, LAST)}, where={n: 1 - mu * tan(theta)}),
 )
-def theta_matters(eq42, eq43):
-    """(42) is D = n h(t) with h and h' positive: t falls as n rises, and n falls as |theta| rises."""
+def theta_matters(eq42, eq43, claim__W_branches):
+    """(42) is D = n h(t) with h and h' positive for t > 0: t falls as n rises, and n falls as |theta| rises."""
     fallen = eq42.rhs.subs(theta, 0)
     share = sp.simplify(eq42.rhs / fallen)
     by_n = sp.expand(eq43.rhs.subs(tan(Abs(theta)), isolate(Eq(n, share, evaluate=False), tan(theta)).rhs))
     check_root(Eq(n * fallen, D, evaluate=False), t_AB, by_n)
     time, z = sp.Function("time"), sp.Symbol("z", positive=True)
-    slope = implicit_derivative(Eq(n * fallen.subs(t_AB, time(n)), D), time(n), n).rhs.subs(time(n), z / gamma)
+    later = _after_start(by_n, claim__W_branches).subs(t_AB, time(n))
+    slope = implicit_derivative(Eq(n * fallen.subs(t_AB, time(n)), D), time(n), n, later).rhs.subs(time(n), z / gamma)
     outer = monotone(by_n, n, POSITIVE, sign_by_ladder(slope, z))
     facts = []
     for side, angles in HALVES:
@@ -248,10 +276,11 @@ chapter.given("chord.eq48", And(Eq(xt, x / Y(t)), Eq(yt, y / Y(t))), Domain({t: 
 @chapter.derive(
     "chord.eq49",
     Eq((xt + sigma * mu) ** 2 + (yt - 1) ** 2, 1 + mu**2),
-    Domain(BEADS.ranges, where={**BEADS.where, Y(t): FALLEN / 2}),
+    Domain({**BEADS.ranges, **WITH_OR_WITHOUT}, where={**BEADS.where, Y(t): FALLEN / 2}),
 )
-def rescaled(eq44, eq46, eq47, eq48):
-    """Divide (44) by Y(t)^2."""
+def rescaled(eq44, eq46, eq47, eq48, eq31):
+    """Divide (44) by Y(t)^2; for mu = 0 (44) is (31)."""
+    require_without_friction(eq44.subs({X(t): eq46.rhs, R(t): eq47.rhs}), eq31.subs(R(t), Y(t)))
     put = {c: isolate(Eq(name, eq48.of(name), evaluate=False), c).rhs for c, name in ((x, xt), (y, yt))}
     left, right = (side.subs(put).subs({X(t): eq46.rhs, R(t): eq47.rhs}) for side in eq44.equation.args)
     return Eq(sp.expand(left / Y(t) ** 2), sp.expand(right / Y(t) ** 2), evaluate=False)

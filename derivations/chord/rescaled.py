@@ -24,10 +24,12 @@ from galileo_sym.derivations.chord.notation import (
 )
 from galileo_sym.derivations.chord.shared import (
     ARC,
-    LEFT_ARC,
+    LAST_FROM_0,
     LEFT_POINT,
     RIGHT_POINT,
+    WITH_OR_WITHOUT,
     K,
+    require_without_friction,
 )
 from galileo_sym.ledger import (
     POSITIVE,
@@ -49,6 +51,8 @@ from galileo_sym.tactics import (
 chapter = Chapter("chord.rescaled", notation, "3. Sliding friction")
 
 PLANE = Domain({mu: POSITIVE, xt: REAL, yt: REAL})
+FROM_0 = {**ARC.ranges, **WITH_OR_WITHOUT}
+LEFT_FROM_0 = {**FROM_0, theta: Interval(-LAST_FROM_0, 0)}
 RIGHT = (xt + mu) ** 2 + (yt - 1) ** 2
 LEFT = (xt - mu) ** 2 + (yt - 1) ** 2
 
@@ -69,15 +73,17 @@ def rescale(circle_equation, definition):
     return Eq(left, right, evaluate=False)
 
 
-@chapter.derive("chord.eq26", EQ26, Domain(ARC.ranges, where={x: RIGHT_POINT[0], y: RIGHT_POINT[1]}))
-def rescaled_right(eq21, eq25):
-    """Rescale (21)."""
+@chapter.derive("chord.eq26", EQ26, Domain(FROM_0, where={x: RIGHT_POINT[0], y: RIGHT_POINT[1]}))
+def rescaled_right(eq21, eq25, eq9):
+    """Rescale (21), which is (9) for mu = 0."""
+    require_without_friction(eq21.equation, eq9.equation)
     return rescale(eq21.equation, eq25)
 
 
-@chapter.derive("chord.eq27", EQ27, Domain(LEFT_ARC.ranges, where={x: LEFT_POINT[0], y: LEFT_POINT[1]}))
-def rescaled_left(eq24, eq25):
-    """Rescale (24)."""
+@chapter.derive("chord.eq27", EQ27, Domain(LEFT_FROM_0, where={x: LEFT_POINT[0], y: LEFT_POINT[1]}))
+def rescaled_left(eq24, eq25, eq9):
+    """Rescale (24), which is (9) for mu = 0."""
+    require_without_friction(eq24.equation, eq9.equation)
     return rescale(eq24.equation, eq25)
 
 

@@ -1,7 +1,7 @@
 """What the chapters on the synchronous curve with friction share: its arcs, circles and coordinates."""
 
 import sympy as sp
-from sympy import Eq, FiniteSet, Ge, Implies, Interval, Rational, Tuple, atan, cos, sin
+from sympy import Eq, FiniteSet, Ge, Implies, Interval, Rational, Tuple, atan, cos, pi, sin
 
 from galileo_sym.derivations.chord.notation import (
     g,
@@ -15,21 +15,27 @@ from galileo_sym.derivations.chord.notation import (
     y_c,
 )
 from galileo_sym.ledger import (
+    NONNEGATIVE,
     POSITIVE,
+    DerivationError,
     Domain,
     Erratum,
+    step,
 )
+from galileo_sym.ledger.equivalence import equivalent
 from galileo_sym.tactics import (
     read_circle,
 )
 
 LAST = atan(1 / mu)
+LAST_FROM_0 = pi / 2 - atan(mu)  # the same, and without friction, too
 K = g * t**2 / 4
 RIGHT = Interval(0, LAST)
 LEFT = Interval(-LAST, 0)
 ARC = Domain({g: POSITIVE, mu: POSITIVE, t: POSITIVE, theta: RIGHT})
 LEFT_ARC = Domain({g: POSITIVE, mu: POSITIVE, t: POSITIVE, theta: LEFT})
 CENTRE = Tuple(x_c(t), y_c(t))
+WITH_OR_WITHOUT = {mu: NONNEGATIVE, theta: Interval(0, LAST_FROM_0)}
 MOVING = Domain({g: POSITIVE, mu: POSITIVE, t: POSITIVE})
 EQ21 = Eq((x + mu * g * t**2 / 4) ** 2 + (y - g * t**2 / 4) ** 2, (g * t**2 / 4) ** 2 * (1 + mu**2))
 EQ24 = Eq((x - mu * g * t**2 / 4) ** 2 + (y - g * t**2 / 4) ** 2, (g * t**2 / 4) ** 2 * (1 + mu**2))
@@ -47,6 +53,13 @@ WHOLE_CIRCLE = Erratum(
         where={x: RIGHT_POINT[0], y: RIGHT_POINT[1]},
     ),
 )
+
+
+def require_without_friction(circle, known):
+    """Refuse a circle with friction that is not the known one where mu is 0: so it holds for mu >= 0."""
+    if equivalent(circle.subs(mu, 0), known) is None:
+        raise DerivationError(f"{circle} without friction is not {known}")
+    step("without friction", Implies(Eq(mu, 0, evaluate=False), known, evaluate=False))
 
 
 def without_s(premise, coordinate):

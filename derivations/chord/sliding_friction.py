@@ -68,7 +68,7 @@ ABOUT_LAST = sp.Union(
 )
 WITH_MASS = Domain({m: POSITIVE, **SLIDING.ranges})
 WITH_MASS_LEFT = Domain({m: POSITIVE, **SLIDING_LEFT.ranges})
-LAW = Domain({g: POSITIVE, m: POSITIVE, mu: POSITIVE, theta: Interval.open(-pi / 2, pi / 2)})
+LAW = Domain({g: POSITIVE, m: POSITIVE, mu: NONNEGATIVE, theta: Interval.open(-pi / 2, pi / 2)})
 
 REST_AT_END = Erratum(
     ("C1",),

@@ -63,6 +63,19 @@ def test_a_negative_drag_takes_the_other_branch(ledger):
         assert float(verdict.counterexample["t_AB"]) == pytest.approx(float(root), rel=1e-11)
 
 
+@pytest.mark.parametrize("number", ["eq26", "eq27", "eq43", "eq49", "law.friction"])
+def test_no_friction_is_among_the_values(ledger, number):
+    entry = ledger[f"chord.{number}"]
+    assert entry.declaration.domain.ranges[mu].contains(0) == sp.true
+
+
+def test_the_descent_with_friction_and_drag_when_there_is_no_friction(ledger):
+    """(43) at mu = 0, on a chord at 1.2, against bisection of the fall along the vertical."""
+    time = ledger["chord.eq43"].result.rhs.subs({mu: 0, theta: 1.2, D: 2, g: 9.8, gamma: 0.7})
+    root = mp.findroot(lambda time: fallen(time, 0.7, 9.8) - 2, (0.1, 3), solver="bisect")
+    assert float(time) == pytest.approx(float(root), rel=1e-12)
+
+
 def fallen(time, drag, gravity):
     """g (gamma t - 1 + e^(-gamma t))/gamma^2."""
     return gravity * (drag * time - 1 + mp.exp(-drag * time)) / drag**2
