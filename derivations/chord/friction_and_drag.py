@@ -46,12 +46,14 @@ from galileo_sym.ledger import (
 )
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
+    above_end,
     at_rest,
     check_root,
     compose_monotone,
     eliminate_angle,
     implicit_derivative,
     isolate,
+    ladder,
     monotone,
     monotone_by_slope,
     read_circle,
@@ -169,12 +171,17 @@ def descent_time(eq42, eq30, eq36, claim__negative_theta_sign):
 
 
 def _after_start(by_n, branches):
-    """The time is positive: W is at least -1."""
-    least = next(e for e in branches.parts if isinstance(e, Ge) and e.lhs == W_0(q))
+    """The time is positive: W's argument is above -1/e, so that W is above -1."""
     (inverse,) = by_n.atoms(LambertW)
-    above = by_n.subs(inverse, least.rhs + sp.Dummy("above", nonnegative=True))
-    if not sp.expand(above).is_positive:
-        raise DerivationError(f"{by_n} is not shown to be positive by {least}")
+    values = next(e for e in branches.parts if isinstance(e, Ge))
+    round_trip = next(e for e in branches.parts if isinstance(e, Eq) and e.rhs == q)
+    image = round_trip.lhs.subs(W_0(q), values.rhs)
+    bound = above_end(round_trip, values, Gt(q, image, evaluate=False))
+    beyond = sp.expand(by_n.subs(inverse, bound.rhs + sp.Dummy("above", positive=True)))
+    depth = sp.Dummy("depth", positive=True)
+    ladder(inverse.args[0].subs(D, g * n * depth / gamma**2) - image, depth)
+    if not beyond.is_positive:
+        raise DerivationError(f"{by_n} is not shown to be positive by {bound}")
     return step("after the start", Gt(t_AB, 0, evaluate=False))
 
 

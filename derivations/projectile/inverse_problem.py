@@ -113,7 +113,8 @@ def product_kept(res1, def__uyR):
 )
 def slope(lemma__b__implicit, lemma__a):
     """Implicit differentiation; e^y from y e^y = u e^u; the sign from (a)."""
-    found = step("implicit differentiation", implicit_derivative(lemma__b__implicit.equation, Y, u))
+    between = [e for e in lemma__a.parts if Y in e.args]
+    found = step("implicit differentiation", implicit_derivative(lemma__b__implicit.equation, Y, u, *between))
     power = sp.Dummy("power", positive=True)
     growth = isolate(lemma__b__implicit.subs(exp(Y), power), power).rhs
     first = sp.factor(found.rhs.subs(exp(Y), growth))

@@ -1,7 +1,7 @@
 """The Lambert W function: results (1), (2) and (3)."""
 
 import sympy as sp
-from sympy import And, Eq, Equivalent, Ge, Interval, LambertW, Le, Lt, Ne, exp
+from sympy import And, Eq, Equivalent, Ge, Gt, Interval, LambertW, Le, Lt, Ne, exp
 
 from galileo_sym.derivations.projectile.notation import T, a, b, c, d, notation, q, t, w
 from galileo_sym.ledger import (
@@ -15,6 +15,7 @@ from galileo_sym.ledger import (
     tell_chapter,
 )  # fmt: skip
 from galileo_sym.tactics import (
+    above_end,
     check_root,
     implicit_derivative,
     isolate,
@@ -114,11 +115,13 @@ def result_1(def__W, def__T):
         Domain({q: sp.FiniteSet(BRANCH_POINT)}),
     ),
 )
-def result_2(res1):
-    """Differentiate (1) implicitly, and put e^W = x/W in."""
+def result_2(res1, def__W):
+    """Differentiate (1) implicitly, and put e^W = x/W in. W is above -1 beyond -1/e, so that T rises with W."""
     inverse = sp.Function("inverse", real=True)(q)
-    named = res1.subs(LambertW(q), inverse)
-    slope = implicit_derivative(named, inverse, q).rhs.subs(inverse, LambertW(q))
+    values = next(e for e in def__W.parts if isinstance(e, Ge) and e.lhs == LambertW(q))
+    above = step("above -1", above_end(res1.equation.reversed, values, Gt(q, BRANCH_POINT, evaluate=False)))
+    named, bound = (told.subs(LambertW(q), inverse) for told in (res1.equation, above))
+    slope = implicit_derivative(named, inverse, q, bound).rhs.subs(inverse, LambertW(q))
     power = sp.Dummy("power", positive=True)
     growth = isolate(res1.subs(exp(LambertW(q)), power), power).rhs
     step("exponential of W", Eq(exp(LambertW(q)), growth, evaluate=False))

@@ -28,7 +28,7 @@ from .entire_series import affine_series, divide_series, entire_series, renumber
 from .factors import first_order, introduce, limits_at_zero, twin_at_zero
 from .homogeneous import by_differentiation, homogeneous, independent_sides, proportional_below
 from .hypotheses import conclusions, instantiate, modus_ponens, same_argument
-from .implicit import implicit_derivative
+from .implicit import above_end, implicit_derivative
 from .inverse import inverse_between, undo
 from .known_limits import limit_of_inverse, limit_with_part
 from .leading_terms import split_series, take_out, value_at_centre
@@ -74,6 +74,7 @@ from .theorems import said_of
 __all__ = [
     "Circle",
     "Wave",
+    "above_end",
     "above_limit",
     "affine_series",
     "all_preimages",

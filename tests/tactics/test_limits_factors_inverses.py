@@ -7,6 +7,7 @@ from sympy import And, Eq, Ge, Gt, Interval, LambertW, Limit, Lt, Rational, exp,
 from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncreasing
 from galileo_sym.primitives import descent_factor, phi2
 from galileo_sym.tactics import (
+    above_end,
     elementary_limit,
     first_order,
     implicit_derivative,
@@ -27,6 +28,17 @@ refused = pytest.raises(DerivationError)
 
 def _eq(left, right):
     return Eq(left, right, evaluate=False)
+
+
+FOLDED = {
+    "no y in the equation": (x**2 - 1, (Gt(f(x), 0),)),
+    "nothing is known of y": (f(x) * exp(f(x)) - x, ()),
+    "y may be where T turns": (f(x) * exp(f(x)) - x, (Gt(f(x), -2),)),
+    "on the circle, at its ends": (f(x) ** 2 + x**2 - 1, (Gt(f(x), -1), Lt(f(x), 1))),
+    "W >= -1 is not enough": (f(x) * exp(f(x)) - x, (Ge(f(x), -1),)),
+    "a corner": (sp.Abs(f(x) - 3) + f(x) - x, (Gt(f(x), 0),)),
+    "no value between 1 and -1": (f(x) ** 3 - x, (Gt(f(x), 1), Lt(f(x), -1))),
+}
 
 
 class TestLimits:
@@ -116,10 +128,27 @@ class TestInverses:
 
     def test_the_derivative_of_w(self):
         w = f(x)
-        found = implicit_derivative(_eq(w * exp(w), x), w, x)
+        found = implicit_derivative(_eq(w * exp(w), x), w, x, Gt(w, -1))
         assert found.rhs.equals(exp(-w) / (1 + w))
+
+    @pytest.mark.parametrize(("excess", "facts"), FOLDED.values(), ids=FOLDED)
+    def test_a_function_that_may_have_no_derivative_is_refused(self, excess, facts):
         with refused:
-            implicit_derivative(_eq(x**2, sp.S.One), w, x)
+            implicit_derivative(_eq(excess, sp.S.Zero), f(x), x, *facts)
+
+    def test_a_root_between_two_numbers(self):
+        """The upper half of the circle, near its top."""
+        upper = Gt(f(x), 0), Lt(f(x), 2)
+        assert implicit_derivative(_eq(f(x) ** 2 + x**2, sp.S.One), f(x), x, *upper).rhs == -x / f(x)
+
+    def test_the_least_value_is_taken_at_its_image_only(self):
+        values = Ge(LambertW(y), -1, evaluate=False)
+        assert above_end(self.ROUND, values, Gt(y, -exp(-1))) == Gt(LambertW(y), -1, evaluate=False)
+        for inside in (Ge(y, -exp(-1), evaluate=False), Gt(y, -1), Gt(z, -exp(-1)), Lt(y, -exp(-1))):
+            with refused:
+                above_end(self.ROUND, values, inside)
+        with refused:
+            above_end(self.ROUND, sp.Le(LambertW(y), -1, evaluate=False), Gt(y, -exp(-1)))
 
     def test_least_value(self):
         falls, rises = StrictlyDecreasing(x**2, x, Interval(-oo, 0)), StrictlyIncreasing(x**2, x, Interval(0, oo))
