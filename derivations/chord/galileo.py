@@ -238,7 +238,8 @@ def centre_acceleration(eq9):
 def whole_circle(eq5, eq6, eq9):
     """Seen from the centre, the bead is at the angle 2 theta, which runs through a whole turn."""
     point = (without_s(eq5, x).rhs, without_s(eq6, y).rhs)
-    return trace_circle(point, theta, QUARTER, eq9.equation, sp.true, (x, y), sp.atan(x / y))
+    moving = {t: step("after the release", sp.Gt(t, 0))}
+    return trace_circle(point, theta, QUARTER, eq9.equation, sp.true, (x, y), sp.atan(x / y), facts=moving)
 
 
 @chapter.derive(

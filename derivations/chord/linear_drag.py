@@ -137,9 +137,9 @@ def whole_circles(eq29, eq31, eq32, setup, eq7, eq8):
     if seen.centre[0] != 0 or seen.centre[1] != seen.radius:
         raise DerivationError(f"a circle with the centre {seen.centre} and radius {seen.radius} does not touch in A")
     point = point_at(eq29, eq32, setup, eq7, eq8)
-    traced = trace_circle(point, theta, QUARTER, eq31.equation, sp.true, (x, y), atan(x / y))
-    grown = ladder(eq32.rhs, t)
-    return And(traced, grown.subs(eq32.rhs, eq32.lhs), Eq(Tuple(x_c(t), y_c(t)), Tuple(*seen.centre)))
+    grown = ladder(eq32.rhs, t).subs(eq32.rhs, eq32.lhs)
+    traced = trace_circle(point, theta, QUARTER, eq31.equation, sp.true, (x, y), atan(x / y), facts={R(t): grown})
+    return And(traced, grown, Eq(Tuple(x_c(t), y_c(t)), Tuple(*seen.centre)))
 
 
 @chapter.derive(

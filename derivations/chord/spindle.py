@@ -92,8 +92,9 @@ def right_arc(eq19, eq20, eq21, eq23, support__theta_c_max):
     point = (without_s(eq19, x).rhs, without_s(eq20, y).rhs)
     offset = eq23.of(theta_c)
     complement = isolate(support__theta_c_max.equation, theta_max).rhs.subs(theta_c, offset)
+    moving = {t: step("after the release", Gt(t, 0))}
     return trace_circle(
-        point, theta, RIGHT, eq21.equation, sp.Ge(x, 0), (x, y), atan(x / y), offset, using={LAST: complement}
+        point, theta, RIGHT, eq21.equation, sp.Ge(x, 0), (x, y), atan(x / y), offset, {LAST: complement}, moving
     )
 
 
@@ -114,8 +115,9 @@ def union(claim__arc_x_positive, eq14, eq24, setup, eq7, eq8, eq23, support__the
     point = doubled_coordinates(path.rhs, setup, eq7.rhs, eq8.rhs)
     offset = eq23.of(theta_c)
     complement = isolate(support__theta_c_max.equation, theta_max).rhs.subs(theta_c, offset)
+    moving = {t: step("after the release", Gt(t, 0))}
     left = trace_circle(
-        point, theta, LEFT, eq24.equation, sp.Le(x, 0), (x, y), atan(x / y), -offset, using={LAST: complement}
+        point, theta, LEFT, eq24.equation, sp.Le(x, 0), (x, y), atan(x / y), -offset, {LAST: complement}, moving
     )
     return And(claim__arc_x_positive.statement, left)
 

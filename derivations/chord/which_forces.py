@@ -129,7 +129,8 @@ def circles(eq3, eq50, setup):
     vertical = eq50.subs(theta, 0).subs(s(t), 2 * R(t)).doit()
     circle = circle_of(path, setup)
     point = Tuple(*(setup.of(place).subs(s(t), path.rhs) for place in (x, y)))
-    traced = trace_circle(point, theta, INSIDE, circle, Gt(y, 0), (x, y), atan(x / y), positive=below)
+    radius = {R(t): Gt(below.gts / 2, below.lts / 2)}
+    traced = trace_circle(point, theta, INSIDE, circle, Gt(y, 0), (x, y), atan(x / y), facts=radius)
     motion = Eq(2 * R(t).diff(t, 2), vertical.rhs)
     return Implies(And(*SUPPOSED), And(circle, Eq(Tuple(x, y), point), traced, Gt(s(t), 0), motion))
 

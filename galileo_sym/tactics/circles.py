@@ -10,6 +10,7 @@ from galileo_sym.ledger import DerivationError, TracesOnce, step, tactic
 from galileo_sym.ledger.equivalence import is_zero
 
 from .places import ordered, require_inside
+from .signs import sign_by_factors
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ def read_circle(equation: sp.Eq, x, y) -> Circle:
 
 @tactic
 def trace_circle(
-    point, parameter, interval, equation, region, coordinates, inverse, offset=sp.S.Zero, using=None, positive=None
+    point, parameter, interval, equation, region, coordinates, inverse, offset=sp.S.Zero, using=None, facts=None
 ):
     """Show that a moving point traces exactly the part of a circle in a region, once.
 
@@ -69,8 +70,9 @@ def trace_circle(
         Of the angle phi.
     using : dict, optional
         Known relations to be put in when the ends of the arc are compared.
-    positive : Gt or Lt, optional
-        Proved: that the radius, or a multiple of it, is positive. Needed for y > 0.
+    facts : dict, optional
+        {part: Gt(part, 0)}, proved, of parts of the radius that SymPy does not know to be positive: a circle of no
+        radius is not traced once.
 
     Returns
     -------
@@ -78,6 +80,8 @@ def trace_circle(
     """
     x, y = coordinates
     circle = read_circle(equation, x, y)
+    if sign_by_factors(circle.radius, facts or {}) != 1:
+        raise DerivationError(f"the radius {circle.radius} is not positive")
     phi = 2 * parameter + offset
     ways = (sp.sin(phi), sp.cos(phi))
     for place, middle, way in zip(point, circle.centre, ways, strict=True):
@@ -91,7 +95,7 @@ def trace_circle(
         require_inside(end, sp.Interval(-sp.pi / 2, sp.pi / 2))
     first, last = (phi.subs(parameter, end) for end in (interval.start, interval.end))
     if region == sp.Gt(y, 0):
-        _all_but_one(first, last, interval, circle, positive)
+        _all_but_one(first, last, interval, circle)
     else:
         _covers(first, last, region, x, circle, using or {})
     return TracesOnce(sp.Tuple(*point), parameter, interval, equation, region, sp.Tuple(x, y), inverse)
@@ -115,15 +119,12 @@ def _covers(first, last, region, x, circle, using):
         raise DerivationError(f"the arc from {first} to {last} is not shown to be less than a turn")
 
 
-def _all_but_one(first, last, interval, circle, positive):
+def _all_but_one(first, last, interval, circle):
     """Refuse what is not a whole circle above the x-axis, touching it where the open interval ends."""
     if not (interval.left_open and interval.right_open) or (first, last) != (-sp.pi, sp.pi):
         raise DerivationError(f"the angle from {first} to {last} does not leave out just the highest or lowest point")
     if sp.simplify(circle.centre[1] - circle.radius) != 0:
         raise DerivationError(f"a circle with the centre {circle.centre} and radius {circle.radius} is not above y = 0")
-    strict = isinstance(positive, sp.StrictGreaterThan | sp.StrictLessThan)
-    if not strict or not sp.cancel((positive.gts - positive.lts) / circle.radius).is_positive:
-        raise DerivationError(f"the radius {circle.radius} is not shown to be positive")
 
 
 @tactic

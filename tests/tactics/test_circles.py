@@ -21,12 +21,13 @@ def _eq(left, right):
     return Eq(left, right, evaluate=False)
 
 
+rho = sp.Symbol("rho", nonnegative=True)
 ABOVE = {
-    "point": (p * sin(2 * r), p + p * cos(2 * r)),
+    "point": (rho * sin(2 * r), rho + rho * cos(2 * r)),
     "interval": Interval.open(-pi / 2, pi / 2),
-    "equation": _eq(x**2 + (y - p) ** 2, p**2),
+    "equation": _eq(x**2 + (y - rho) ** 2, rho**2),
     "region": Gt(y, 0),
-    "positive": Lt(0, 2 * p, evaluate=False),
+    "facts": {rho: Gt(rho, 0)},
 }
 
 
@@ -56,7 +57,7 @@ class TestCircles:
             "region": sp.true,
             "offset": sp.S.Zero,
             "inverse": sp.atan(x / y),
-            "positive": None,
+            "facts": {},
         } | other
         with recording():
             return trace_circle(
@@ -68,7 +69,7 @@ class TestCircles:
                 (x, y),
                 given["inverse"],
                 given["offset"],
-                positive=given["positive"],
+                facts=given["facts"],
             )
 
     def test_a_whole_turn_and_each_half(self):
@@ -113,10 +114,11 @@ class TestCircles:
             {"interval": Interval.open(-pi / 2, 0)},
             {"region": Lt(y, 0)},
             {"region": Ge(y, 0)},
-            {"positive": None},
-            {"positive": Lt(0, y, evaluate=False)},
-            {"positive": Lt(2 * p, 0, evaluate=False)},
-            {"positive": Ge(p, 0, evaluate=False)},
+            {"facts": {}},
+            {"facts": {rho: Ge(rho, 0, evaluate=False)}},
+            {"facts": {rho: Lt(rho, 0, evaluate=False)}},
+            {"facts": {rho: Gt(p, 0, evaluate=False)}},
+            {"facts": {}, "interval": Interval(-pi / 2, pi / 2), "region": sp.true},
             {"point": (p * sin(2 * r), 3 + p * cos(2 * r)), "equation": _eq(x**2 + (y - 3) ** 2, p**2)},
         ],
         ids=str,
