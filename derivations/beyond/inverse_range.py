@@ -39,11 +39,14 @@ from galileo_sym.ledger import (
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
     compare_on,
+    compose_monotone,
     eliminate_angle,
     isolate,
     monotone,
+    monotone_by_slope,
     one_root,
     positive_before_root,
+    restricted,
     same_order,
     sign_by_ladder,
     sign_on,
@@ -116,18 +119,18 @@ def equation(beyond__inverse__by_time):
 def bijection(beyond__inverse__by_time, support__u_bijection, impact__time, def__u, def__alpha):
     """alpha*sin(theta) = -1 - u(s) rises with s from 0 to alpha: one s in (0, s_top] belongs to each theta."""
     falling, climb = _part(support__u_bijection, StrictlyDecreasing), beyond__inverse__by_time.of(alpha * sin(theta))
-    turn = sp.simplify(sp.diff(climb, s) / sp.diff(falling.args[0], s))
-    if not turn.is_negative:
-        raise DerivationError(f"{climb} does not rise as {falling.args[0]} falls")
+    turn, value = sp.simplify(sp.diff(climb, s) / sp.diff(falling.args[0], s)), sp.Dummy("u", real=True)
+    outer = sp.simplify(climb - turn * falling.args[0]) + turn * value
     foot = next(e for e in support__u_bijection.parts if isinstance(e, Eq) and e.lhs.args[2] == 0)
-    start = sp.simplify(climb - turn * falling.args[0]) + turn * foot.rhs
-    rising = StrictlyIncreasing(climb, *falling.args[1:])
+    rising = compose_monotone(monotone_by_slope(outer, value, Interval(-sp.oo, sp.oo)), falling)
+    climb = rising.args[0]
+    start = outer.subs(value, foot.rhs)
     steepest = def__u.rhs.subs(k, isolate(def__alpha.equation, k).rhs).subs(theta, pi / 2)
     top = sp.expand(impact__time.rhs * k).subs(u, steepest)
     end = Eq(climb.subs(s, top), alpha, evaluate=False)
     if is_zero(end.lhs - end.rhs) is None:
         raise DerivationError(f"{climb} is not alpha at {top}")
-    upto = StrictlyIncreasing(climb, s, Interval.Lopen(0, top))
+    upto = restricted(rising, Interval.Lopen(0, top))
     positive = compare_on(alpha * sin(theta), sp.S.Zero, trig_box(sin(theta), theta, RISING))
     limit = Eq(Limit(climb, s, 0, "+"), start, evaluate=False)
     known = (positive, sp.Le(alpha * sin(theta), alpha))  # a sine is at most 1

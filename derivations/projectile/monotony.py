@@ -1,7 +1,7 @@
 """A closed form for the maximum range angle: it falls as alpha grows, by the reciprocal of its sine."""
 
 import sympy as sp
-from sympy import And, Derivative, Eq, Equivalent, Ge, Gt, Interval, LambertW, Ne, exp, sin, sqrt
+from sympy import And, Derivative, Eq, Equivalent, Ge, Gt, Interval, LambertW, Le, Ne, exp, sin, sqrt
 
 from galileo_sym.derivations.projectile.notation import (
     BETWEEN,
@@ -156,6 +156,13 @@ def numerator_grows(mono__deriv2, claim__domain_W, claim__T_monotone):
     )
 
 
+def _told_sign(relation):
+    """The sign that an inequality against 0 gives its left side, but where that vanishes."""
+    if relation.rhs != 0:
+        raise DerivationError(f"{relation} is not about a sign")
+    return 1 if relation.gts == relation.lhs else -1
+
+
 @chapter.derive(
     "projectile.mono.nonneg",
     And(Ge(NUMERATOR, 0), Equivalent(Eq(NUMERATOR, 0), Eq(w, -1))),
@@ -169,19 +176,20 @@ def numerator_grows(mono__deriv2, claim__domain_W, claim__T_monotone):
 def numerator_positive(mono__hprime):
     """It rises from -1 on, where it is 0."""
     slope = next(e for e in mono__hprime.parts if isinstance(e, Eq))
-    sign = next(e for e in mono__hprime.parts if isinstance(e, Ge))
+    sign = next(e for e in mono__hprime.parts if isinstance(e, Ge | Le))
     zero = next(e for e in mono__hprime.parts if isinstance(e, Equivalent))
     foot = next(e.rhs for e in zero.args if e.lhs == w)
     numerator = slope.lhs.expr
     vanishes = next(e for e in zero.args if e.lhs != w)
-    if not all(is_zero(e - sp.diff(numerator, w)) for e in (slope.rhs, sign.lhs, vanishes.lhs)) or sign.rhs != 0:
+    if not all(is_zero(e - sp.diff(numerator, w)) for e in (slope.rhs, sign.lhs, vanishes.lhs)):
         raise DerivationError(f"{mono__hprime.statement} is not about the slope of {numerator}")
-    rising = step("it rises", monotone(numerator, w, Interval(foot, sp.oo), 1))
+    rising = step("it rises", monotone(numerator, w, Interval(foot, sp.oo), _told_sign(sign)))
     beyond = step("beyond the end", sp.Implies(Gt(w, foot), bound_by_end(rising, w, Gt(w, foot))))
     relation = beyond.args[1]
     if is_zero(relation.rhs) is None:
         raise DerivationError(f"{numerator} is {relation.rhs} at {foot}")
-    return And(Ge(relation.lhs, 0), Equivalent(Eq(relation.lhs, 0), Eq(w, foot)))
+    kind = Ge if isinstance(relation, Gt) else Le
+    return And(kind(relation.lhs, 0), Equivalent(Eq(relation.lhs, 0), Eq(w, foot)))
 
 
 @chapter.derive(

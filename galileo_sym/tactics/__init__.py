@@ -65,6 +65,7 @@ from .signs import (
     monotone_by_slope,
     not_negative,
     positive_before_root,
+    restricted,
     sign_by_factors,
     values_ordered,
 )
@@ -138,6 +139,7 @@ __all__ = [
     "renumber",
     "require_real",
     "rescale",
+    "restricted",
     "revert_minimum",
     "root_of_product",
     "said_of",

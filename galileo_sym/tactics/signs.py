@@ -9,6 +9,7 @@ from galileo_sym.ledger.equivalence import is_zero
 
 from .breaks import require_no_break
 from .places import direction, ordered, require_inside
+from .slope_trials import require_slope
 
 DEPTH = 8  # rungs of the ladder before giving up
 
@@ -120,11 +121,13 @@ def monotone(function, variable, interval, slope_sign: int):
     Raises
     ------
     DerivationError
-        The sign is neither, or the function is seen to jump or to have a pole in the interval.
+        The sign is neither, or the function is seen to jump or to have a pole in the interval, or a slope of the
+        other sign.
     """
     if slope_sign not in (1, -1):
         raise DerivationError(f"{slope_sign} is not the sign of a slope of {function}")
     require_no_break(function, variable, interval)
+    require_slope(function, variable, interval, slope_sign)
     kind = StrictlyIncreasing if slope_sign > 0 else StrictlyDecreasing
     return kind(function, variable, interval)
 
@@ -169,6 +172,24 @@ def values_ordered(claim, low, high, known=()) -> sp.Lt:
         raise DerivationError(f"{low} < {high} is not shown")
     first, last = function.subs(variable, low), function.subs(variable, high)
     return sp.Lt(first, last, evaluate=False) if rises else sp.Lt(last, first, evaluate=False)
+
+
+@tactic
+def restricted(claim, part, known=()):
+    """Strict monotony on an interval holds on a part of it.
+
+    Parameters
+    ----------
+    claim : StrictlyIncreasing or StrictlyDecreasing
+    part : Interval
+    known : sequence of relations
+        Proved: that the ends of the part are inside, where SymPy does not see it.
+    """
+    function, variable, whole = claim.args
+    low = ordered(whole.start, part.start, whole.left_open and not part.left_open, known)
+    if not (low and ordered(part.end, whole.end, whole.right_open and not part.right_open, known)):
+        raise DerivationError(f"{part} is not shown to lie in {whole}")
+    return monotone(function, variable, part, direction(claim))
 
 
 @tactic

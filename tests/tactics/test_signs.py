@@ -1,5 +1,7 @@
 """Signs, monotony and order: the ladder and its kin climb what is true, and nothing else."""
 
+from typing import ClassVar
+
 import pytest
 import sympy as sp
 from sympy import Eq, Ge, Gt, Interval, Le, Lt, Rational, exp, oo, pi
@@ -8,9 +10,11 @@ from galileo_sym.ledger import DerivationError, StrictlyDecreasing, StrictlyIncr
 from galileo_sym.tactics import (
     arguments_reversed,
     ladder,
+    monotone,
     monotone_by_slope,
     not_negative,
     positive_before_root,
+    restricted,
     sign_by_factors,
     values_ordered,
 )
@@ -18,6 +22,8 @@ from galileo_sym.tactics import (
 x, y, z = sp.symbols("x y z", real=True)
 p, q, k = sp.symbols("p q k", positive=True)
 refused = pytest.raises(DerivationError)
+
+WHOLE = Interval(-oo, oo)
 
 
 def _eq(left, right):
@@ -137,3 +143,40 @@ class TestSigns:
         for short in (facts[:1], [Le(1, p, evaluate=False), Ge(1, k, evaluate=False)]):
             with pytest.raises(DerivationError, match="not shown to lie"):
                 arguments_reversed(beyond, self.BELOW, p, self.IMAGE, k, short)
+
+
+class TestSlopeTrials:
+    """A slope that is told with the wrong sign is refused where it can be tried."""
+
+    FALSE: ClassVar = {
+        "x^2 rises": (x**2, WHOLE, 1),
+        "x^2 rises to its end": (x**2, Interval(-3, -1), 1),
+        "p x falls": (p * x, WHOLE, -1),
+        "-x^2 rises up to p": (-(x**2), Interval(0, p), 1),
+        "sin(x) rises beyond pi/2": (sp.sin(x), Interval(0, 3), 1),
+        "a fold too small for any grid": (
+            (x - Rational(1, 3)) ** 3 - (x - Rational(1, 3)) / 10**20,
+            Interval(0, 1),
+            1,
+        ),
+        "e^x - x rises": (exp(x) - x, WHOLE, 1),
+        "1 - e^-x falls": (1 - exp(-x), Interval(0, oo), -1),
+        "nothing changes": (p - 1, Interval(0, 1), 1),
+    }
+
+    @pytest.mark.parametrize(("function", "interval", "sign"), FALSE.values(), ids=FALSE)
+    def test_it_is_refused(self, function, interval, sign):
+        with refused:
+            monotone(function, x, interval, sign)
+
+    def test_true_neighbours_are_not(self):
+        """A slope that is 0 at a place, at an end, or infinite there, is no counterexample."""
+        for function, interval in ((x**3, WHOLE), (x**2, Interval(0, p)), (sp.sqrt(x), Interval(0, oo))):
+            assert monotone(function, x, interval, 1) == StrictlyIncreasing(function, x, interval)
+
+    def test_a_part_of_the_interval(self):
+        rises = StrictlyIncreasing(x**2, x, Interval.open(0, oo))
+        assert restricted(rises, Interval.Lopen(0, p)) == StrictlyIncreasing(x**2, x, Interval.Lopen(0, p))
+        for part in (Interval(0, 1), Interval.open(-1, 1), WHOLE):
+            with refused:
+                restricted(rises, part)
