@@ -10,6 +10,7 @@ from .arcs import as_arctangents
 from .ideals import same_solutions
 from .near_limits import same_limit
 from .predicates import Claim
+from .spot import nonzero_somewhere
 from .unwrap import same_in_cases
 
 _UNORDERED = (sp.And, sp.Or, sp.Equivalent)
@@ -165,6 +166,8 @@ def is_zero(expr) -> str | None:
     expr = sp.sympify(expr)
     if expr == 0:
         return "identical"
+    if nonzero_somewhere(expr):  # at once, where the moves may take seconds
+        return None
     for name, move in _MOVES:
         if move(expr) == 0:
             return name
