@@ -148,17 +148,33 @@ def coefficients(thm3__case2__t_eq):
     ),
 )
 def solve_for_tau(thm3__case2__abcd, thm3__case2__t_eq, thm3__case2__subst, res3, claim__W_identity):
-    """Result (3). Its z = -d (tau + b/a) is above -1 because u < -1, which singles out the branch W."""
+    """z = -d (tau + b/a) is above -1, since u < -1: so z = W(z e^z), and z e^z is the argument of W in result (3)."""
     put = {name: thm3__case2__abcd.of(of_3) for name, of_3 in zip((a, b, c, d), COEFFICIENTS.values(), strict=True)}
-    root = simplify_inside(res3.rhs.subs(put, simultaneous=True))
-    check_root(thm3__case2__t_eq.equation, tau, root)
     z = (-d * (tau + b / a)).subs(put, simultaneous=True)
     in_u = sp.factor(sp.cancel(z.subs(tau, thm3__case2__subst.of(tau))))
     same, height = identity_at(claim__W_identity, in_u)
     if not isinstance(step("z is above -1", compare_on(height, sp.S.Zero, {u: BEYOND})), Gt):
         raise DerivationError(f"{in_u} is not a value of W")
     step("so that W(z e^z) is z", same)
+    product = _product_by(thm3__case2__t_eq.equation, z)
+    by_w = Eq(z, same.lhs.func(product), evaluate=False)
+    root = simplify_inside(isolate(by_w, tau).rhs)
+    told = simplify_inside(res3.rhs.subs(put, simultaneous=True))
+    if is_zero(root - told) is None:
+        raise DerivationError(f"the root {root} is not the one of result (3), {told}")
+    check_root(thm3__case2__t_eq.equation, tau, root)
     return Eq(tau, root, evaluate=False)
+
+
+def _product_by(equation, z):
+    """What z e^z is where a tau + b + c e^(d tau) = 0: the exponential of the equation is linear in tau."""
+    (growth,) = (e for e in equation.lhs.atoms(exp) if e.has(tau))
+    power = sp.Dummy("power", positive=True)
+    left = isolate(equation.subs(growth, power), power).rhs  # what the exponential is
+    rest = sp.expand(z + growth.args[0])  # of the exponent of e^z
+    if rest.has(tau):
+        raise DerivationError(f"e^({z}) is no multiple of 1/{growth}")
+    return sp.simplify(sp.cancel(z / left) * exp(rest))
 
 
 @chapter.derive(

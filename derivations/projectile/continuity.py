@@ -1,7 +1,7 @@
 """A closed form for the maximum range angle: it is a continuous function of alpha, down to alpha = 0."""
 
 import sympy as sp
-from sympy import And, Derivative, Eq, Gt, Limit, Lt, Ne, Or, Piecewise, asin, pi, sin, sqrt
+from sympy import And, Derivative, Eq, Ge, Gt, Limit, Lt, Ne, Or, Piecewise, asin, pi, sin, sqrt
 
 from galileo_sym.derivations.projectile.notation import (
     H,
@@ -45,6 +45,7 @@ from galileo_sym.tactics import (
     limit_of_parts,
     limit_of_ratio,
     sign_by_ladder,
+    zeros_from_0_on,
 )  # fmt: skip
 
 chapter = Chapter("projectile.continuity", notation, "A closed form for the maximum range angle: continuity")
@@ -244,7 +245,11 @@ def continuous(thm3, nodrag__claim__max_pi4, cont__pi4, cont__alpha1, cont__WeW,
     square, share, below = _as_height(general, cont__WeW.equation)
     flat = next(e for e in nodrag__claim__max_pi4.parts if isinstance(e, UniqueMaximum))
     values = {sp.S.Zero: flat.args[3], sp.S.One: asin(special)}
-    undefined = {sqrt(square.subs(HEIGHT_NAME, root)) for root in sp.solve(below, HEIGHT_NAME)}
+    least = next(e for e in def__W.parts if isinstance(e, Ge) and e.lhs == W_q)
+    step("W + 1 is not negative", Ge(W_a - least.rhs, 0, evaluate=False).subs(alpha, alpha_0))
+    if least.rhs != -1:
+        raise DerivationError(f"{least} does not say that W + 1 is not negative")
+    undefined = {sqrt(square.subs(HEIGHT_NAME, root)) for root in zeros_from_0_on(below, HEIGHT_NAME)}
     if undefined != set(values) or sign_by_ladder(1 - square * share**2, HEIGHT_NAME) < 0:
         raise DerivationError(
             f"{general} is not between -1 and 1, or it is undefined at {undefined}, not {set(values)}"

@@ -9,7 +9,7 @@ from .beside import (
     negative_root,
     value_near,
 )
-from .boxes import box_of, compare_on, sign_by_ladder, sign_on, trig_box
+from .boxes import box_of, compare_on, sign_by_ladder, sign_on, trig_box, zeros_from_0_on
 from .branches import all_preimages
 from .circles import Circle, read_circle, sine_maximum, trace_circle
 from .composition import compose_monotone, inner_monotone
@@ -174,4 +174,5 @@ __all__ = [
     "value_near",
     "values_ordered",
     "with_tail",
+    "zeros_from_0_on",
 ]

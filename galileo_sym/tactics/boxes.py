@@ -7,6 +7,7 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from galileo_sym.ledger import DerivationError, tactic
+from galileo_sym.ledger.equivalence import is_zero
 
 from .signs import ladder
 
@@ -136,6 +137,27 @@ def _either(expr, variable):
             continue
         return sign
     raise DerivationError(f"{expr} has no sign that the ladder proves for {variable} > 0")
+
+
+@tactic
+def zeros_from_0_on(expr, variable) -> set:
+    """All places where a product or quotient vanishes, for variable >= 0.
+
+    Each factor above is linear, or has a sign for every variable > 0 by the ladder, so that it may vanish at 0 only.
+    """
+    places = set()
+    for factor in sp.Mul.make_args(sp.factor(sp.numer(sp.together(expr)))):
+        base = factor.as_base_exp()[0] if factor.is_Pow else factor
+        if base.is_polynomial(variable) and sp.degree(base, variable) == 1:
+            place = -sp.expand(base).coeff(variable, 0) / sp.expand(base).coeff(variable, 1)
+        else:
+            sign_by_ladder(base, variable)
+            place = sp.S.Zero if is_zero(base.subs(variable, 0)) else sp.S.NegativeInfinity
+        if place.is_nonnegative is None:
+            raise DerivationError(f"whether {place}, where {base} vanishes, is negative is not known")
+        if place.is_nonnegative:
+            places.add(place)
+    return places
 
 
 @tactic

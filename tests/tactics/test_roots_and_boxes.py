@@ -28,6 +28,7 @@ from galileo_sym.tactics import (
     trig_box,
     undo,
     unique_maximum,
+    zeros_from_0_on,
 )
 
 x, q = sp.symbols("x q", real=True)
@@ -186,3 +187,13 @@ def test_limit_along_a_path_needs_the_right_side():
     for path in (h, 1 - h):
         with pytest.raises(DerivationError):
             limit_along(known, h, path, 0)
+
+
+def test_every_zero_from_0_on():
+    """A zero that a solver may overlook is either found or asked for."""
+    h, c = sp.Symbol("h", real=True), sp.Symbol("c", real=True)
+    assert zeros_from_0_on((h - 1) * (sp.exp(h) - 1), h) == {0, 1}
+    assert zeros_from_0_on((h + 2) * sp.exp(h) * (2 * h - 3) ** 2 / (h + 5), h) == {sp.Rational(3, 2)}
+    for hidden in (sp.exp(h) - 3 * h, sp.sin(h), h**2 - 2, h - c, (h - 1) * (sp.exp(h) - 1 - 2 * h)):
+        with pytest.raises(DerivationError):
+            zeros_from_0_on(hidden, h)
