@@ -136,22 +136,15 @@ def parametric(beyond__envelope__condition, drag__x, drag__y, def__alpha):
     Eq((k**2 * y_e / g + s) ** 2, alpha**2 + (1 - alpha**2) * XI**2),
     TOUCHING,
 )
-def conic(beyond__envelope__path, drag__x, def__alpha):
-    """Eliminate theta: the height, raised by s, lies on a conic. At x_e = 0 all trajectories meet."""
-    sine, cosine, across, raised = sp.symbols("sine cosine across raised", real=True)
-    decay, upright = sp.symbols("decay upright", positive=True)
-    plain = {sin(theta): sine, cos(theta): cosine, tan(theta): sine / cosine}
-    pure = {v: isolate(def__alpha.equation, v).rhs}
-    height = beyond__envelope__path.rhs.subs(x(t), across * v / k)
-    turned = sp.numer(sp.factor(sp.together(sp.diff(height, theta).subs(plain).subs(pure))))
-    place = Eq(across, (drag__x.rhs * k / v).subs(exp(-k * t), decay), evaluate=False)
-    time = -log(isolate(place.subs(cos(theta), upright), decay).rhs.subs(upright, cos(theta)).expand())
-    up = sp.cancel(sp.expand(k**2 * height / g + time).subs(plain).subs(pure))
-    equations = (turned, up - raised, sine**2 + cosine**2 - 1)
-    # both sides are continuous in alpha, so that alpha = 1 is no exception to what is found over Q(alpha)
-    found = eliminate(equations, (sine, cosine), (across, raised), {across: "x_e > 0 beyond the launch"})
-    square = isolate(found.subs(raised, sp.sqrt(raised)), raised).rhs
-    return Eq((k**2 * y_e / g + s) ** 2, sp.collect(sp.expand(square), across).subs(across, XI), evaluate=False)
+def conic(beyond__envelope__parametric):
+    """Eliminate e^(-s): the height, raised by s, lies on a conic, for every alpha."""
+    decay, square, raised = sp.symbols("decay square raised", positive=True)
+    height = sp.expand(beyond__envelope__parametric.of(k**2 * y_e / g) + s)
+    across = sp.expand(beyond__envelope__parametric.of(XI**2)).subs(exp(-2 * s), decay**2)
+    equations = [side.subs(DECAY, decay) - name for side, name in ((height, raised), (across, square))]
+    found = eliminate(equations, (decay,), (raised, square, alpha))  # alpha is no coefficient: it may be 1
+    told = isolate(found.subs(raised, sp.sqrt(raised)), raised).rhs
+    return Eq((k**2 * y_e / g + s) ** 2, sp.collect(sp.expand(told), square).subs(square, XI**2), evaluate=False)
 
 
 @chapter.derive(

@@ -88,11 +88,11 @@ def foot(beyond__envelope__explicit, drag__y, def__alpha):
     height, left = drag__y.rhs.subs(theta, pi / 2), sp.Dummy("left", positive=True)
     at_rest = Eq(sp.diff(height, t).subs(exp(-k * t), left), 0, evaluate=False)
     top = height.subs(exp(-k * t), left).subs(t, -log(left) / k).subs(left, isolate(at_rest, left).rhs)
-    limit = beyond__envelope__explicit.of(y_e).subs(x_e, 0)
+    limit = elementary_limit(beyond__envelope__explicit.of(y_e), x_e, 0)
     difference = (top - limit).subs(v, isolate(def__alpha.equation, v).rhs)
-    if sp.simplify(sp.expand_log(sp.simplify(difference), force=True)) != 0:
+    if sp.simplify(sp.expand_log(sp.simplify(difference))) != 0:
         raise DerivationError(f"the envelope begins at {limit}, a vertical shot comes up to {top}")
-    return Eq(Limit(HEIGHT, x_e, 0, "+"), sp.simplify(limit), evaluate=False)
+    return Eq(Limit(HEIGHT, x_e, 0, "+"), limit, evaluate=False)
 
 
 @chapter.derive(
