@@ -1,60 +1,63 @@
 """A limit theorem for inverse functions: Theorem 1, for any real-analytic f that is not constant."""
 
 import sympy as sp
-from sympy import And, Eq, Gt, Implies, Limit, Mod, Ne, Subs, Sum
+from sympy import And, Eq, Implies, Interval, Limit, Mod, Ne, Subs, Sum
 
 from galileo_sym.derivations.projectile.analytic_notation import (
     ANALYTIC,
     AROUND,
+    DIVISOR,
+    EVEN_ORDERS,
     EXTREMUM,
     FAMILY,
     GAP,
     INVERSE,
     INVERSE_FAMILY,
+    INVERTED,
     LEADS,
-    LEFT,
     LEFT_OF_IT,
-    QUARTER,
     REFLECTED,
-    ROUND_TRIP,
+    RETURNS,
     SERIES,
-    VALUES,
     F,
     N,
     X,
     a,
+    away,
     f,
     h,
     i,
     notation,
-    q,
     x,
     x_0,
     y,
 )  # fmt: skip
-from galileo_sym.ledger import Chapter, DerivationError, Domain, step, tell_chapter
-from galileo_sym.ledger.local import MonotoneBeside
+from galileo_sym.ledger import Chapter, DerivationError, Domain, ForAll, step, tell_chapter
+from galileo_sym.ledger.local import HoldsBeside, MonotoneBeside
 from galileo_sym.tactics import (
     even_at_extremum,
-    inverse_tends,
+    instantiate,
+    limit_with_part,
     modus_ponens,
     monotone_beside,
     negative_root,
+    nonzero_along,
+    reflected_beside,
     split_series,
     take_out,
     value_at_centre,
     value_near,
 )  # fmt: skip
+from galileo_sym.tactics.places import ordered
 
 chapter = Chapter(
     "projectile.limit_theorem", notation, "A limit theorem for inverse functions and its application: Theorem 1"
 )
 
 NEAR = Domain(AROUND, where=FAMILY, supposing=ANALYTIC)
-ASIDE = Domain({**AROUND, h: sp.Interval.Lopen(0, QUARTER)}, where=FAMILY, supposing=ANALYTIC)
-BELOW = Domain(LEFT_OF_IT, where=INVERSE_FAMILY, supposing=(*ANALYTIC, *INVERSE))
-BELOW_EXTREMUM = Domain(LEFT_OF_IT, where=INVERSE_FAMILY, supposing=(*ANALYTIC, EXTREMUM, *INVERSE))
-ANY_FUNCTION = Domain(LEFT_OF_IT, where=INVERSE_FAMILY)
+LEFT = Domain(LEFT_OF_IT, where=INVERSE_FAMILY, supposing=ANALYTIC)
+LEFT_OF_EXTREMUM = Domain(LEFT_OF_IT, where=INVERSE_FAMILY, supposing=(*ANALYTIC, EXTREMUM))
+SUPPOSED = (*ANALYTIC, EXTREMUM, *INVERTED)
 IS_EVEN = Eq(Mod(N, 2), 0)
 TURN = (y(x) - x_0) / X
 
@@ -71,7 +74,8 @@ TURN = (y(x) - x_0) / X
 )
 def factor():
     """Leave out the terms below N, the least index above 0 with a_N not 0 (f is not constant); take (x - x_0)^N out."""
-    constant, tail = split_series(SERIES.rhs, GAP)
+    within = instantiate(SERIES, FAMILY[x], NEAR.inside.args).subs(away, X)
+    constant, tail = split_series(within.rhs, GAP)
     step("the terms that are left", Eq(f(x), constant + tail))
     rest = take_out(tail, X**N)
     value = value_at_centre(rest, x, x_0)
@@ -97,7 +101,7 @@ def _deviation(factored):
     return factored.of(f(x)) - factored.of(f(x)).subs(x, x_0)
 
 
-@chapter.derive("projectile.thm1.N-even", Implies(EXTREMUM, IS_EVEN), ASIDE)
+@chapter.derive("projectile.thm1.N-even", Implies(EXTREMUM, IS_EVEN), NEAR)
 def even_order(thm1__factor):
     """For odd N f - f(x_0) = (x - x_0)^N F(x) changes sign at x_0, since F keeps its own: that is no extremum."""
     odd = step("for odd N", even_at_extremum(_deviation(thm1__factor), x, N, _near(thm1__factor), h))
@@ -116,60 +120,92 @@ def monotone_parts(thm1__factor):
     return And(*monotone_beside(factored, x, N, _near(thm1__factor)))
 
 
-@chapter.derive("projectile.thm1.ratio", Eq((y(x) - x_0) ** N / X**N, F(x) / F(y(x))), BELOW)
+@chapter.derive(
+    "projectile.thm1.ratio", Implies(And(*RETURNS, DIVISOR), Eq((y(x) - x_0) ** N / X**N, F(x) / F(y(x)))), LEFT
+)
 def ratio(thm1__factor):
-    """f(y) = f(x), since f undoes its inverse; divide the two factorisations."""
+    """Where f(y) = f(x), both within h of x_0, divide the two factorisations."""
     _near(thm1__factor)
-    told = step("f undoes its inverse", ROUND_TRIP.subs(q, f(x)).subs(REFLECTED.rhs, REFLECTED.lhs))
-    body = sp.Lambda(x, thm1__factor.of(f(x)) - a(0))
-    left, right = (side.replace(f, body) for side in told.args)
-    step("with the factorisation", Eq(left, right, evaluate=False))
-    over = X**N * F(y(x))
-    return Eq(left / over, right / over, evaluate=False)
+    *there, same = RETURNS
+    factored = Eq(f(x), thm1__factor.of(f(x)), evaluate=False)
+    on_the_right = instantiate(ForAll(factored, x, Interval(x_0, x_0 + h)), y(x), there)
+    told = step(
+        "with the factorisation",
+        Implies(And(*RETURNS), same.subs({e.lhs: e.rhs for e in (on_the_right, factored)}, simultaneous=True)),
+    )
+    left, right = (side - a(0) for side in told.args[1].args)
+    over = X**N * DIVISOR.lhs
+    return Implies(And(*RETURNS, DIVISOR), Eq(left / over, right / over, evaluate=False))
 
 
-@chapter.derive("projectile.thm1.root", Eq(TURN, -((F(x) / F(y(x))) ** (1 / N))), BELOW_EXTREMUM)
+@chapter.derive(
+    "projectile.thm1.root",
+    Implies(And(*RETURNS, DIVISOR), Eq(TURN, -((F(x) / F(y(x))) ** (1 / N)))),
+    LEFT_OF_EXTREMUM,
+)
 def root(thm1__ratio, thm1__N_even):
     """N is even, and y >= x_0 > x: the real N-th root of the ratio is the negative one."""
     even = modus_ponens(thm1__N_even.statement, (EXTREMUM,))
-    above = step("y is not below x_0", VALUES.subs(q, f(x)).subs(REFLECTED.rhs, REFLECTED.lhs))
+    above, *_ = RETURNS
+    if not ordered(FAMILY[x], x_0, strict=True, known=LEFT.inside.args):
+        raise DerivationError(f"{x} is not shown to be below {x_0}")
     sides = {
         above.lhs: above.rhs + sp.Dummy("up", nonnegative=True),
-        LEFT.lhs: LEFT.rhs - sp.Dummy("down", positive=True),
+        x: x_0 - sp.Dummy("down", positive=True),
     }
     if not TURN.subs(sides, simultaneous=True).is_nonpositive:
-        raise DerivationError(f"{above} and {LEFT} do not say that {TURN} is not positive")
-    opposite = step("x and y are on either side", sp.Le(TURN, 0))
-    return negative_root(thm1__ratio.equation, N, even, opposite)
+        raise DerivationError(f"{above} does not say that {TURN} is not positive")
+    opposite = sp.Le(TURN, 0)
+    step("x and y are on either side", Implies(above, opposite))
+    power = modus_ponens(thm1__ratio.statement, (*RETURNS, DIVISOR))
+    return Implies(And(*RETURNS, DIVISOR), negative_root(power, N, even, opposite))
 
 
 @chapter.derive(
     "projectile.thm1",
     Implies(
-        And(*ANALYTIC, EXTREMUM, *INVERSE),
+        And(*SUPPOSED),
         And(
             MonotoneBeside(f(x), x, x_0, 1, a(N)),
             MonotoneBeside(f(x), x, x_0, -1, -a(N)),
+            HoldsBeside(And(*RETURNS), x, x_0, -1),
             Eq(Limit(TURN, x, x_0, "-"), -1),
         ),
     ),
-    ANY_FUNCTION,
+    Domain(EVEN_ORDERS, where=INVERSE_FAMILY),
 )
 def theorem_1(thm1__factor, thm1__N_even, thm1__monotone, thm1__root):
-    """As x goes to x_0, y = g(f(x)) does, g being continuous; so F(x) and F(y) both tend to a_N, which is not 0."""
+    """To the left f takes values that it takes to the right, at y; y goes to x_0, F(x) and F(y) to a_N, not 0."""
     near = _near(thm1__factor)
     even = modus_ponens(thm1__N_even.statement, (EXTREMUM,))
     right, left = _sides(thm1__monotone)
     left = left.func(*left.args[:4], _for_even(left.args[4], even))
-    if left.args[4] + right.args[4] != 0:
-        raise DerivationError(f"f does not return on the left of x_0 to the values on its right: {left}, {right}")
-    step("f(x) is among the values of f to the right", Gt((f(x) - Subs(f(x), x, x_0)) * right.args[4], 0))
-    tends = step("y tends to x_0", inverse_tends(right, ROUND_TRIP, VALUES, REFLECTED))
-    if tends.rhs != near.place:
-        raise DerivationError(f"F is not known near {tends.rhs}")
-    values = {F(x): near.value, F(y(x)): near.value}
-    limit = thm1__root.rhs.xreplace(values)
-    return Implies(And(*ANALYTIC, EXTREMUM, *INVERSE), And(right, left, Eq(Limit(thm1__root.lhs, x, x_0, "-"), limit)))
+    reflected = reflected_beside(right, left, SERIES, INVERSE)
+    defined, tends = (_named(claim) for claim in reflected)
+    step("y is defined near x_0", defined)
+    step("y tends to x_0", tends)
+    equation = _root_beside(thm1__root, defined, nonzero_along(near, tends, _at_centre()))
+    limit = equation.rhs.xreplace({F(x): near.value, F(y(x)): near.value})
+    return Implies(And(*SUPPOSED), And(right, left, defined, Eq(Limit(equation.lhs, x, x_0, "-"), limit)))
+
+
+def _named(claim):
+    """A claim about g(f(x)), for x up to x_0, said of y(x)."""
+    name = REFLECTED.args[0]
+    return claim.xreplace({name.rhs: name.lhs})
+
+
+def _at_centre():
+    """y(x_0) = g(f(x_0)), which is x_0."""
+    named, undone = (instantiate(claim, x_0) for claim in (REFLECTED, INVERSE))
+    return named.subs(undone.lhs, undone.rhs)
+
+
+def _root_beside(rooted, defined, nonzero):
+    """The equation of the root near x_0: its conditions hold there."""
+    if {claim.args[1:] for claim in (defined, nonzero)} != {(x, x_0, sp.S.NegativeOne)}:
+        raise DerivationError(f"{defined} and {nonzero} are not about the left of {x_0}")
+    return modus_ponens(rooted.statement, (*defined.args[0].args, step("F(y) is not 0", nonzero).args[0]))
 
 
 def _sides(claims):
@@ -192,7 +228,7 @@ def _for_even(expr, even):
 @chapter.derive(
     "beyond.thm1.next-coefficient",
     Eq(Limit((y(x) - x_0 + X) / X**2, x, x_0, "-"), -2 * a(N + 1) / (N * a(N))),
-    BELOW_EXTREMUM,
+    Domain(EVEN_ORDERS, where=INVERSE_FAMILY, supposing=SUPPOSED),
 )
 def next_coefficient(thm1, thm1__root, thm1__factor):
     """Newton and Puiseux: y - x_0 = -X + c X^2 + ..., with c from the N-th root of F(x)/F(y) to first order in X.
@@ -200,17 +236,22 @@ def next_coefficient(thm1, thm1__root, thm1__factor):
     F(x_0 + Z) = a_N + a_(N+1) Z + o(Z), for Z = X and for Z = y - x_0, which is X times Theorem 1's -1 + o(1).
     """
     near = _near(thm1__factor)
-    limit = next(e for e in sp.And.make_args(modus_ponens(thm1.statement, BELOW_EXTREMUM.supposing)) if e.has(Limit))
-    away = sp.Dummy("away", real=True)
+    told = modus_ponens(thm1.statement, SUPPOSED).args
+    limit = next(e for e in told if e.has(Limit))
+    turn, small = limit.lhs.args[0], sp.Dummy("turn", real=True)
+    tends = Eq(Limit(y(x), *limit.lhs.args[1:]), limit_with_part(x_0 + small * X, small, limit.rhs, x, x_0, "-"))
+    defined = next(e for e in told if isinstance(e, HoldsBeside))
+    equation = _root_beside(thm1__root, defined, nonzero_along(near, step("y tends to x_0", tends), _at_centre()))
+    distance = sp.Dummy("distance", real=True)
     term, (index, first, _) = thm1__factor.of(F(x)).args
     slope = sp.powsimp(term.subs(index, first + 1)) / X
-    if slope.has(x) or limit.lhs.args[0] != thm1__root.lhs:
+    if slope.has(x) or turn != equation.lhs or sp.cancel(x_0 + turn * X - y(x)) != 0:
         raise DerivationError(f"{slope} is not the slope of F at x_0, or {limit} is about something else")
-    in_order = {F(x): near.value + slope * away, F(y(x)): near.value + slope * limit.rhs * away}
-    ratio_of = thm1__root.rhs.xreplace(in_order)
-    step("Theorem 1 is the first order", Eq(limit.lhs, ratio_of.subs(away, 0)))
-    second = sp.simplify(sp.diff(ratio_of, away).subs(away, 0))
-    whole = sp.cancel(thm1__root.lhs - limit.rhs) / X
+    in_order = {F(x): near.value + slope * distance, F(y(x)): near.value + slope * limit.rhs * distance}
+    ratio_of = equation.rhs.xreplace(in_order)
+    step("Theorem 1 is the first order", Eq(limit.lhs, ratio_of.subs(distance, 0)))
+    second = sp.simplify(sp.diff(ratio_of, distance).subs(distance, 0))
+    whole = sp.cancel(equation.lhs - limit.rhs) / X
     return Eq(Limit(sp.factor(whole), x, x_0, "-"), second, evaluate=False)
 
 

@@ -33,6 +33,7 @@ from galileo_sym.ledger import (
     DerivationError,
     Domain,
     Erratum,
+    ForAll,
     StrictlyDecreasing,
     StrictlyIncreasing,
     step,
@@ -41,6 +42,7 @@ from galileo_sym.ledger import (
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.tactics import (
     entire_series,
+    everywhere,
     extremum_between,
     isolate,
     limit_along,
@@ -50,6 +52,7 @@ from galileo_sym.tactics import (
     said_of,
     sign_on,
     trig_box,
+    undo,
 )  # fmt: skip
 
 letters = notation.extended()
@@ -71,7 +74,7 @@ NEAR_MINUS_1 = {w: Interval.Ropen(-sp.Rational(3, 2), -1), index: sp.FiniteSet(0
 
 @chapter.derive("projectile.thm1.cor", COROLLARY, Domain(NEAR_MINUS_1))
 def corollary(thm1, def__T, claim__T_monotone, def__W):
-    """Theorem 1 for T about -1, where it has an extremum: there N = 2."""
+    """Theorem 1 for T about -1, where it has an extremum: there N = 2. W undoes T up to -1/2, where T < 0."""
     body = def__T.of(T(w))
     parts = {type(claim): claim for claim in claim__T_monotone.parts}
     extremum = step("an extremum", extremum_between(parts[StrictlyDecreasing], parts[StrictlyIncreasing]))
@@ -86,14 +89,14 @@ def corollary(thm1, def__T, claim__T_monotone, def__W):
         theorem.g(q): values.lhs,
         theorem.y(w): values.lhs.subs(q, body),
     }
-    of_t = said_of(thm1.statement, functions, {theorem.x_0: place, theorem.x: w, theorem.N: sp.Integer(order)})
-    series = Eq(body, sp.Sum(coefficient * (w - place) ** index, (index, 0, sp.oo)), evaluate=False)
-    round_trip = next(e for e in def__W.parts if isinstance(e, Eq) and e.lhs == T(values.lhs))
+    numbers = {theorem.x_0: place, theorem.N: sp.Integer(order), theorem.h: sp.S.Half}
+    of_t = said_of(thm1.statement, functions, {theorem.x: w, **numbers})
+    told = next(e for e in def__W.parts if isinstance(e, Eq) and e.lhs == T(values.lhs))
+    round_trip = said_of(told, {T(w): body}, {})
+    right, both = Interval(place, place + sp.S.Half), Interval(place - sp.S.Half, place + sp.S.Half)
     known = (
-        step("its Taylor series", series),
-        step("the limit is from the left", sp.Lt(w, place)),
-        said_of(round_trip, {T(w): body}, {}),
-        values,
+        step("its Taylor series", everywhere(entire, w, both)),
+        step("W undoes T", everywhere(undo(parts[StrictlyIncreasing], round_trip, values, w), w, right)),
         extremum,
     )
     limit = next(e for e in modus_ponens(of_t, _with_facts(of_t, known)).args if e.has(Limit))
@@ -111,6 +114,8 @@ def _plain(hypothesis):
         return all(term.subs(index, n) == 0 for n in range(first, last + 1))
     if isinstance(hypothesis, sp.Ne):
         return bool((hypothesis.lhs - hypothesis.rhs).is_nonzero)
+    if isinstance(hypothesis, ForAll):
+        return _plain(hypothesis.args[0])
     return isinstance(hypothesis, Eq) and hypothesis.lhs == hypothesis.rhs
 
 

@@ -1,4 +1,4 @@
-"""Claims about a function near a point: an extremum, strict order on one side; and coefficients that all vanish."""
+"""Claims about a function near a point: an extremum, or what holds on one side; and coefficients that all vanish."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from .predicates import FIRST, SECOND, Claim
 # "for some h > 0" is tried very near
 BESIDE = [sp.S.Zero, *(sp.Rational(n, 10**e) for n, e in ((1, 16), (7, 16), (3, 9), (1, 4), (1, 3)))]
 FURTHER = [sp.Rational(n, 10**e) for n, e in ((2, 17), (5, 9), (1, 4))]
+AT_IT_AND_NEAR = [sp.S.Zero, *(sp.Rational(n, 10**e) for n, e in ((1, 30), (7, 16), (3, 9)))]
 
 
 class LocalExtremum(Claim):
@@ -46,6 +47,21 @@ class MonotoneBeside(Claim):
         f, x, place, _, direction = self.args
         agree(f)
         agree(direction)
+        agree(x, place)
+
+
+class HoldsBeside(Claim):
+    """``HoldsBeside(statement, x, place, side)``: the statement holds for every x of some interval.
+
+    The interval ends at the place, which belongs to it, and is to its right (`side` 1) or to its left (-1).
+    """
+
+    def trials(self):
+        statement, x, place, side = self.args
+        return [(statement, {x: place + side * away}) for away in AT_IT_AND_NEAR]
+
+    def check_dimensions(self, agree):
+        _, x, place, _ = self.args
         agree(x, place)
 
 

@@ -4,7 +4,6 @@ from .angles import Wave, as_wave, solve_angle, undo_arctangent
 from .beside import (
     even_at_extremum,
     extremum_between,
-    inverse_tends,
     monotone_beside,
     negative_root,
     value_near,
@@ -27,7 +26,7 @@ from .eliminate import eliminate, eliminate_angle
 from .entire_series import affine_series, divide_series, entire_series, renumber, times_sum, with_tail
 from .factors import first_order, introduce, limits_at_zero, twin_at_zero
 from .homogeneous import by_differentiation, homogeneous, independent_sides, proportional_below
-from .hypotheses import conclusions, instantiate, modus_ponens, same_argument
+from .hypotheses import conclusions, everywhere, instantiate, modus_ponens, same_argument
 from .implicit import above_end, implicit_derivative
 from .inverse import inverse_between, undo
 from .known_limits import limit_of_inverse, limit_with_part
@@ -45,6 +44,7 @@ from .linear_exponential import (
 from .motion_series import sum_of_series, taylor_of_motion
 from .ode import at_rest, integrate_from_zero, solve_motion, start_of
 from .order import same_order
+from .reflection import nonzero_along, reflected_beside
 from .rescale import rescale
 from .resultants import eliminate_one
 from .reversion import revert_minimum, taylor
@@ -99,6 +99,7 @@ __all__ = [
     "eliminate_one",
     "entire_series",
     "even_at_extremum",
+    "everywhere",
     "extremum_between",
     "filled_in",
     "first_order",
@@ -110,7 +111,6 @@ __all__ = [
     "integrate_from_zero",
     "introduce",
     "inverse_between",
-    "inverse_tends",
     "isolate",
     "ladder",
     "ladder_order",
@@ -129,6 +129,7 @@ __all__ = [
     "monotone_by_slope",
     "monotone_on_half_line",
     "negative_root",
+    "nonzero_along",
     "not_negative",
     "one_root",
     "other_branch",
@@ -136,6 +137,7 @@ __all__ = [
     "proportional_below",
     "read_circle",
     "read_coefficients",
+    "reflected_beside",
     "renumber",
     "require_real",
     "rescale",

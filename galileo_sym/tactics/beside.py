@@ -156,36 +156,6 @@ def negative_root(equation: sp.Eq, order, even: sp.Eq, sign: sp.Le) -> sp.Eq:
 
 
 @tactic
-def inverse_tends(rising: MonotoneBeside, round_trip: sp.Eq, values: sp.Ge, named: sp.Eq) -> sp.Eq:
-    """The inverse of f to the right of a place tends to the place as its argument f(x) tends to f(place).
-
-    f is strictly monotone and continuous there, so its inverse is continuous, and gives the place back at f(place).
-
-    Parameters
-    ----------
-    rising : MonotoneBeside
-        Of f, to the right of the place.
-    round_trip : Eq
-        Eq(f(g(q)), q).
-    values : Ge
-        Ge(g(q), place).
-    named : Eq
-        Eq(y(x), g(f(x))).
-
-    Returns
-    -------
-    Eq
-        Eq(Limit(y(x), x, place, "-"), place).
-    """
-    f, x, place, side, _ = rising.args
-    inverse, q = values.lhs, round_trip.rhs
-    fits = isinstance(rising, MonotoneBeside) and side == 1 and values.rhs == place
-    if not fits or round_trip.lhs != f.subs(x, inverse) or named.rhs != inverse.subs(q, f):
-        raise DerivationError(f"{round_trip}, {values} and {named} do not make an inverse of {rising}")
-    return sp.Eq(sp.Limit(named.lhs, x, place, "-"), place, evaluate=False)
-
-
-@tactic
 def extremum_between(falling, rising) -> LocalExtremum:
     """A function that is strictly monotone, in opposite ways, up to a place and from there on has an extremum there."""
     f, x, before = falling.args

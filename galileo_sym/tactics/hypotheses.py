@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from galileo_sym.ledger import DerivationError, ForAll, Premise, tactic
+from galileo_sym.ledger import DerivationError, ForAll, PowerSeries, Premise, tactic
 from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.ledger.predicates import Claim
 
@@ -33,6 +33,35 @@ def instantiate(claim: ForAll, place, inside=()) -> sp.Basic:
     require_inside(place, interval, inside)
     _require_free(place, statement)
     return statement.subs(x, place)
+
+
+@tactic
+def everywhere(claim, variable, interval) -> ForAll:
+    """What a power series, or an equivalence, says of every value in an interval.
+
+    Parameters
+    ----------
+    claim : PowerSeries, or Equivalent
+        A function is the sum of its series for every real x; Equivalent(statement, Ge or Le), where the relation tells
+        the values for which the statement holds.
+    variable : Symbol
+    interval : Interval
+
+    Raises
+    ------
+    DerivationError
+        The relation does not hold throughout the interval.
+    """
+    if isinstance(claim, PowerSeries):
+        f, x, place, coefficient, n = claim.args
+        told = sp.Eq(f, sp.Sum(coefficient * (x - place) ** n, (n, 0, sp.oo)), evaluate=False)
+        return ForAll(told.xreplace({x: variable}), variable, interval)
+    sides = claim.args if isinstance(claim, sp.Equivalent) else ()
+    bounds = [e for e in sides if isinstance(e, sp.GreaterThan | sp.LessThan) and e.free_symbols == {variable}]
+    if len(bounds) != 1 or interval.is_subset(bounds[0].as_set()) is not True:
+        raise DerivationError(f"{claim} is not said of every {variable} in {interval}")
+    (statement,) = (e for e in sides if e != bounds[0])
+    return ForAll(statement, variable, interval)
 
 
 def _require_free(place, statement):

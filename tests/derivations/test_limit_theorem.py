@@ -7,7 +7,8 @@ from mpmath import mp
 from sympy import Implies, LambertW, Limit, Piecewise, exp
 
 from galileo_sym.derivations.projectile import analytic_notation as theorem
-from galileo_sym.ledger import DerivationError, Kind
+from galileo_sym.ledger import DerivationError, ForAll, Kind
+from galileo_sym.ledger.local import HoldsBeside
 from galileo_sym.ledger.numeric import holds
 from galileo_sym.tactics import entire_series, modus_ponens, said_of
 
@@ -54,6 +55,28 @@ def test_an_inflexion_is_outside_the_theorem(ledger):
     assert not holds(extremum, {})
     with pytest.raises(DerivationError, match="LocalExtremum"):
         modus_ponens(told, [e for e in told.args[0].args if e != extremum])
+
+
+@pytest.mark.parametrize(
+    ("inverse", "turn", "supposed", "concluded"),
+    [
+        (sp.sqrt, lambda w: -w, True, True),
+        (lambda q: -sp.sqrt(q), lambda w: w, False, False),  # undoes f on the other side
+        (lambda q: sp.sqrt(q) * (1 + q * (1 - 4 * q)), lambda w: -w, False, True),  # undoes f at 0 and 1/2 alone
+        (sp.sqrt, lambda w: -2 * w, False, False),
+    ],
+)
+def test_the_hypotheses_are_about_every_value(ledger, inverse, turn, supposed, concluded):
+    w = sp.Symbol("w", real=True)
+    parabola = {theorem.f(w): w**2, theorem.g(theorem.q): inverse(theorem.q), theorem.y(w): turn(w)}
+    parabola[theorem.a(theorem.i)] = sp.KroneckerDelta(theorem.i, 2)
+    numbers = {theorem.x_0: sp.S.Zero, theorem.N: sp.Integer(2), theorem.h: sp.S.Half}
+    told = said_of(ledger["projectile.thm1"].result, parabola, {theorem.x: w, **numbers})
+    hypotheses, conclusion = told.args
+    general = [e for e in hypotheses.args if isinstance(e, ForAll) and not e.has(sp.Sum)]
+    assert all(holds(e, {}) for e in general) is supposed
+    returns = next(e for e in conclusion.args if isinstance(e, HoldsBeside))
+    assert holds(returns, {}) is concluded
 
 
 def test_the_order_of_an_inflexion_is_odd(ledger):

@@ -2,7 +2,7 @@
 
 import pytest
 import sympy as sp
-from sympy import Eq, Ge, Interval, Mod, Ne, Subs, Sum, exp, oo
+from sympy import Eq, Interval, Mod, Ne, Subs, Sum, exp, oo
 
 from galileo_sym.ledger import Continuous, DerivationError, StrictlyDecreasing, StrictlyIncreasing
 from galileo_sym.ledger.local import AllZero, LocalExtremum, MonotoneBeside
@@ -10,7 +10,6 @@ from galileo_sym.ledger.numeric import holds
 from galileo_sym.tactics import (
     even_at_extremum,
     extremum_between,
-    inverse_tends,
     monotone_beside,
     negative_root,
     said_of,
@@ -119,20 +118,6 @@ def test_the_root_of_an_even_power():
     ):
         with pytest.raises(DerivationError):
             negative_root(equation, N, parity, sign)
-
-
-def test_the_inverse_to_the_right():
-    rising = MonotoneBeside(f(x), x, x_0, 1, a(N))
-    told = (Eq(f(g(q)), q), Ge(g(q), x_0), Eq(y(x), g(f(x))))
-    assert inverse_tends(rising, *told) == Eq(sp.Limit(y(x), x, x_0, "-"), x_0, evaluate=False)
-    left = MonotoneBeside(f(x), x, x_0, -1, a(N))
-    for claim, facts in (
-        (left, told),
-        (rising, (Eq(f(g(q)), 2 * q), *told[1:])),
-        (rising, (*told[:2], Eq(y(x), g(x)))),
-    ):
-        with pytest.raises(DerivationError):
-            inverse_tends(claim, *facts)
 
 
 def test_an_extremum_lies_between_opposite_ways():
