@@ -163,17 +163,20 @@ def pairs(nodrag__range, nodrag__claim__max_pi4):
     return And(*even, *(one_root(side, r, assuming=(submaximal,)) for side in sides))
 
 
+PURE_RANGE = g * R(theta) / v**2
+
+
 @chapter.derive(
     "projectile.nodrag.claim.independent-v-g",
-    And(Eq(g * R(theta) / v**2, sin(2 * theta)), Independent(sin(2 * theta), v), Independent(sin(2 * theta), g)),
+    And(Eq(PURE_RANGE, sin(2 * theta)), Independent(PURE_RANGE, v), Independent(PURE_RANGE, g)),
     LAUNCH,
 )
 def no_parameters(nodrag__range):
     """In units of v^2/g the range is a function of the angle alone; so are its maximum and its symmetry."""
-    scaled = sp.cancel(g * nodrag__range.of(R(theta)) / v**2)
+    scaled = sp.cancel(PURE_RANGE.subs(R(theta), nodrag__range.of(R(theta))))
     if scaled.free_symbols != {theta}:
         raise DerivationError(f"{scaled} depends on more than theta")
-    return And(Eq(g * R(theta) / v**2, scaled), Independent(scaled, v), Independent(scaled, g))
+    return And(Eq(PURE_RANGE, scaled), Independent(PURE_RANGE, v), Independent(PURE_RANGE, g))
 
 
 if __name__ == "__main__":
