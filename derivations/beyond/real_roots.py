@@ -1,7 +1,7 @@
 """Result (3) completed: how many real roots a t + b + c e^(d t) = 0 has, and each one by its branch of W."""
 
 import sympy as sp
-from sympy import And, Eq, Equivalent, Ge, Gt, Implies, Interval, LambertW, Le, Lt, Ne, Or, exp
+from sympy import And, Eq, Equivalent, Ge, Gt, Implies, Interval, LambertW, Le, Lt, Or, exp
 
 from galileo_sym.derivations.beyond.notation import notation
 from galileo_sym.derivations.projectile.notation import BEYOND, T, W_u, a, b, c, d, k, q, t, u, w
@@ -27,6 +27,7 @@ NOT_0 = sp.Union(Interval.open(-sp.oo, 0), Interval.open(0, sp.oo), evaluate=Fal
 LEFT_SIDE = a * t + b + c * exp(d * t)
 BY_W, BY_OTHER = -b / a - LambertW(q) / d, -b / a - LambertW(q, -1) / d
 TURN = 1 / d - b / a  # where the slope a + c d e^(d t) vanishes if q = -1/e
+TURN_BELOW = -sp.log(-q) / d - b / a  # and for any q < 0
 Z = -d * t - d * b / a
 Q = c * d / a * exp(-d * b / a)
 
@@ -94,16 +95,23 @@ def _in_time(factored, preimages):
     return Equivalent(Eq(factored.lhs, 0, evaluate=False), Or(*times) if len(times) > 1 else times[0])
 
 
-@chapter.derive("beyond.real-roots.none", Ne(LEFT_SIDE, 0), equations(Interval.open(-sp.oo, BRANCH_POINT)))
+@chapter.derive(
+    "beyond.real-roots.none", Lt(a * d * LEFT_SIDE, 0), equations(Interval.open(-sp.oo, BRANCH_POINT), TURN_BELOW)
+)
 def none(beyond__real_roots__factor, claim__domain_W):
-    """z e^z is never below -1/e, and Q is."""
-    product = _product(beyond__real_roots__factor.equation)
+    """z e^z is never below -1/e, and Q is: the left side keeps the sign of -a d, even where it comes nearest to 0."""
+    factored = beyond__real_roots__factor.equation
+    product = _product(factored)
     least = claim__domain_W.statement
     z = _factor_in_exponent(product.lhs)
     if not isinstance(least, Ge) or is_zero(least.lhs.subs(w, z) - product.lhs) is None or least.rhs != BRANCH_POINT:
         raise DerivationError(f"{least} does not bound {product.lhs}")
-    step("too high", Gt(least.lhs.subs(w, z), q, evaluate=False))
-    return Ne(beyond__real_roots__factor.lhs, 0, evaluate=False)
+    above = step("too high", Gt(least.lhs.subs(w, z), q, evaluate=False))
+    excess, rest = sp.Dummy("excess", positive=True), factored.rhs / (product.lhs - product.rhs)
+    sign = (a * d * rest * excess).is_positive, (a * d * rest * excess).is_negative
+    if not any(sign) or is_zero(factored.rhs - rest * (above.lhs - product.rhs)) is None:
+        raise DerivationError(f"the sign of {rest} is not that of a d, nor of -a d")
+    return (Gt if sign[0] else Lt)(a * d * factored.lhs, 0, evaluate=False)
 
 
 @chapter.derive(

@@ -8,7 +8,8 @@ import sympy as sp
 from mpmath import mp
 
 from galileo_sym.derivations.beyond.chord_notation import t_minus
-from galileo_sym.ledger import Kind, Ledger, tell
+from galileo_sym.ledger import Domain, Kind, Ledger, tell
+from galileo_sym.ledger.check import counterexample
 
 pytestmark = pytest.mark.xdist_group("second root")
 
@@ -114,3 +115,13 @@ def test_a_root_on_the_wrong_branch_is_refuted(ledger):
     entry = ledger["beyond.real-roots.one"]
     (root,) = entry.result.atoms(sp.LambertW)
     assert entry.compare(entry.result.xreplace({root: sp.LambertW(root.args[0], -1)})).kind is Kind.REFUTED
+
+
+def test_no_root_can_be_refuted(ledger):
+    """The left side keeps its sign for q < -1/e, and no further: a statement that two numbers differ hardly fails."""
+    entry = ledger["beyond.real-roots.none"]
+    assert entry.compare("a*d*(a*t + b + c*exp(d*t)) > 0").kind is Kind.REFUTED
+    (q,) = (s for s in entry.declaration.domain.ranges if s.name == "q")
+    ranges = {**entry.declaration.domain.ranges, q: sp.Interval.open(-sp.exp(-1), 0)}
+    wider = Domain(ranges, where=entry.declaration.domain.where)
+    assert counterexample(entry.declaration.printed, wider, dict(wider.where), entry.id)
