@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy.core.relational import Relational
 
+from .breaking import breaking_places
 from .predicates import FIRST, SECOND, Claim, spread
 
 STEP = sp.Rational(1, 10**40)  # between places whose values must be near each other
@@ -18,7 +19,7 @@ class Continuous(Claim):
         f, x, interval = self.args
         here, beside = f.subs(x, FIRST), f.subs(x, SECOND)
         near = sp.Lt((beside - here) ** 2, NEAR**2 * (1 + here**2), evaluate=False)
-        places = [*spread(interval), *_seams(f, x, interval)]
+        places = [*spread(interval), *_seams(f, x, interval), *breaking_places(f, x, interval)]
         pairs = [(place, place + aside) for place in places for aside in (STEP, -STEP)]
         return [(near, {FIRST: a, SECOND: b}) for a, b in pairs if interval.contains(b) == sp.true]
 

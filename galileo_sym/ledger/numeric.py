@@ -154,7 +154,10 @@ def _closed(statement):
 
 def _holds(statement, point):
     if isinstance(statement, OneSignChange):
-        return statement.signs_of(lambda f, x, at: sign(f, _bind(point, {x: at})))
+        return statement.signs_of(
+            lambda f, x, at: sign(f, _bind(point, {x: at})),
+            lambda f, x, at: abs(value(f, _bind(point, {x: at}), DIGITS[0])),
+        )
     if isinstance(statement, Claim):
         return all(holds(part, _bind(point, values)) for part, values in _trials(statement))
     if isinstance(statement, Relational):

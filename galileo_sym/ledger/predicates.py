@@ -107,11 +107,33 @@ class ExactlyOneRoot(Claim):
 class OneSignChange(Claim):
     """``OneSignChange(f, x, points)``: along the points f changes sign, or vanishes at a point, once."""
 
-    def signs_of(self, sign):
-        """Whether it is so, with `sign` giving the sign of f at a value of x."""
+    def signs_of(self, sign, size):
+        """Whether it is so, with `sign` and `size` giving the sign and the absolute value of f at a value of x.
+
+        Where the size is smallest between points of one sign, two roots may be close together: it is followed down.
+        """
         f, x, points = self.args
         signs = [sign(f, x, p) for p in points]
-        return signs.count(0) + sum(a * b < 0 for a, b in pairwise(signs)) == 1
+        if signs.count(0) + sum(a * b < 0 for a, b in pairwise(signs)) != 1:
+            return False
+        sizes = [size(f, x, p) for p in points]
+        for i in range(1, len(points) - 1):
+            alone = signs[i - 1] == signs[i] == signs[i + 1] and sizes[i] < min(sizes[i - 1], sizes[i + 1])
+            if alone and sign(f, x, _lowest(lambda p: size(f, x, p), points[i - 1], points[i + 1])) != signs[i]:
+                return False
+        return True
+
+
+def _lowest(size, low, high, rounds=36):
+    """Where a size is smallest between two places, if it first falls and then rises."""
+    first, last = sp.S.Zero, sp.S.One
+    for _ in range(rounds):
+        third = (last - first) / 3
+        if size(low + (high - low) * (first + third)) < size(low + (high - low) * (last - third)):
+            last -= third
+        else:
+            first += third
+    return low + (high - low) * (first + last) / 2
 
 
 class UniqueMaximum(Claim):

@@ -8,6 +8,7 @@ from small_ledger import f, h, p, q, r
 from sympy import Eq, Ge, Gt, Interval, LambertW, Le, Limit, Lt, Ne, Rational, cos, exp, oo, sin, sqrt
 
 from galileo_sym.ledger import (
+    Continuous,
     ExactlyOneRoot,
     Independent,
     StrictlyDecreasing,
@@ -172,6 +173,22 @@ CLAIMS = {
     "a maximum elsewhere": (UniqueMaximum(q * (1 - q), q, UNIT, Rational(1, 3)), False),
     "a minimum": (UniqueMaximum(q * (q - 1), q, UNIT, Rational(1, 2)), False),
     "a maximum that is not the only one": (UniqueMaximum(p + 0 * q, q, UNIT, Rational(1, 2)), False),
+    "two roots between points": (ExactlyOneRoot((q - p / 3) * (q - p / 3 - p / 300), q, UNIT), False),
+    "three roots, two of them close": (
+        ExactlyOneRoot((q - p / 9) * ((q - 4 * p / 7) ** 2 - p / 10**6), q, UNIT),
+        False,
+    ),
+    "one root, and a dip that is none": (
+        ExactlyOneRoot((q - p / 9) * ((q - 4 * p / 7) ** 2 + p / 10**6), q, UNIT),
+        True,
+    ),
+    "continuous with corners": (Continuous(sp.Abs(q - Rational(1, 3)) + q * sp.sign(q), q, Interval(-1, 1)), True),
+    "a jump at 1/3": (Continuous(sp.sign(q - Rational(1, 3)), q, UNIT), False),
+    "a jump where e^q is 2": (Continuous(sp.Heaviside(exp(q) - 2), q, UNIT), False),
+    "steps": (Continuous(sp.floor(7 * q + Rational(1, 2)), q, UNIT), False),
+    "a pole at 1/3": (Continuous(1 / (q - Rational(1, 3)), q, UNIT), False),
+    "a pole at an open end": (Continuous(1 / q, q, Interval.open(0, 1)), True),
+    "an arctangent that jumps": (Continuous(sp.atan(1 / (2 * q**2 - 1)), q, UNIT), False),
     "independent": (Independent((p + q) ** 2 - q**2 - 2 * p * q, q), True),
     "dependent": (Independent(p + q / 10**30, q), False),
 }
