@@ -36,7 +36,7 @@ def start_worker():
 
 def try_entries(ids):
     """All trials of some entries, as plain data."""
-    trials = [t for i in ids for t in (*try_statements(_LEDGER[i]), *try_premises(_LEDGER, i))]
+    trials = [t for i in ids for t in (*try_statements(_LEDGER, i), *try_premises(_LEDGER, i))]
     return [t.as_dict() for t in trials]
 
 

@@ -90,7 +90,7 @@ def rescaled_left(eq24, eq25, eq9):
 @chapter.derive(
     "chord.claim.rescaled-time-independent",
     And(Independent(RIGHT - (1 + mu**2), t), Independent(LEFT - (1 + mu**2), t)),
-    Domain(ARC.ranges, where={xt: x / K, yt: y / K, x: RIGHT_POINT[0], y: RIGHT_POINT[1]}),
+    PLANE,
 )
 def time_independent(eq26, eq27):
     """The time is in neither equation."""

@@ -47,8 +47,7 @@ def _move(quantity, holding, failing, declaration, given):
     if any(_speaks_of(quantity, statement) for statement in statements):
         return None  # f(t) does not move without its derivatives
     known = {k: v for k, v in given.items() if k != quantity}
-    loose_holding, _ = ready_to_try(statements[0], domain, known)
-    loose_failing, ranges = ready_to_try(statements[1], domain, known)
+    (loose_holding, loose_failing), ranges = ready_to_try(sp.Tuple(*statements), domain, known)
     if symbol not in loose_failing.free_symbols:
         return None
     place, _ = ready_to_try(sp.Eq(symbol, given[quantity], evaluate=False), domain, known)

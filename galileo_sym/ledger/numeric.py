@@ -247,6 +247,9 @@ def _equal(left, right, point):
         if not (mp.isfinite(a) and mp.isfinite(b)):
             return a == b
         gap = abs(a - b)
+        if abs(mp.im(a)) + abs(mp.im(b)) > scale * mp.mpf(10) ** (-digits // 4):  # what is not real equals nothing here
+            gap, before = scale, None
+            continue
         if gap <= scale * mp.mpf(10) ** -AGREE or _shrinks(gap, before, digits):
             return True
         before = (gap, digits)

@@ -24,6 +24,8 @@ def part_by_part(derived, other, declaration, known) -> tuple | None:
     shared, mine, theirs = _differing(derived, other)
     if mine is None:
         return None
+    if isinstance(mine, sp.Implies) and isinstance(theirs, sp.Implies) and mine.args[0] == theirs.args[0]:
+        return part_by_part(mine.args[1], theirs.args[1], declaration, known)
     how = for_multiples(mine, theirs, declaration.domain, known)
     if how is not None:
         return Kind.PROVED, how, None

@@ -20,8 +20,7 @@ DIGITS = 260
 def where_a_side_holds(statement, derived, declaration, given) -> dict | None:
     """A point where `derived` holds, and one side of an equivalence in `statement`, but not the other."""
     domain = declaration.domain
-    ready, ranges = ready_to_try(statement, domain, given)
-    truth, _ = ready_to_try(derived, domain, given)
+    (ready, truth), ranges = ready_to_try(sp.Tuple(statement, derived), domain, given)
     if ready.free_symbols - set(ranges):
         return None
     rng = random.Random(declaration.id)

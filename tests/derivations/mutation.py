@@ -8,6 +8,7 @@ import time
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 
+import sympy as sp
 from indifferent import INVARIANT
 from mutants import noticed, sign_changed, wrong
 from statement_mutants import mutants
@@ -21,6 +22,13 @@ REFUTED = "refuted"  # a statement with a counterexample; a wrong premise that l
 EQUAL = "equal"  # shown to say the same
 INDIFFERENT = "indifferent"  # a premise's sign or factor that the result does not depend on, while on another it does
 SURVIVING = "surviving"  # anything else: neither refuted nor shown equal, an error, no answer in time
+
+
+# Mutants of a part that another entry has, too, and for which it is shown equal there: W_(-1)(u e^u) = u for u <= -1.
+SHOWN_IN = {
+    ("beyond.hills.level", "symbol doubled"): "projectile.claim.trivial-root",
+    ("beyond.slopes.level", "symbol doubled"): "projectile.claim.trivial-root",
+}
 
 
 class TooLong(BaseException):
@@ -65,15 +73,36 @@ def chosen(share: int, *names) -> bool:
     return int.from_bytes(hashlib.sha256("\n".join(names).encode()).digest()[:4], "big") % share == 0
 
 
-def try_statements(entry, share: int = 1) -> list[Trial]:
+def try_statements(ledger, identifier: str, share: int = 1) -> list[Trial]:
     """The entry's own printed statement, which must be proved equal, and its mutants, or a sample of them."""
+    entry = ledger[identifier]
     found = [_tried(entry, "none", entry.printed)]
     if found[0].outcome != EQUAL:
         return [_renamed(found[0])]
     for mutant in mutants(entry.printed, entry.declaration.notation.dimensions):
         if chosen(share, entry.id, mutant.operator, str(mutant.statement)):
             found.append(_tried(entry, mutant.operator, mutant.statement))
+            if found[-1].outcome == SURVIVING and (entry.id, mutant.operator) in SHOWN_IN:
+                found[-1] = _tried_in(ledger, entry, mutant)
     return found[1:]
+
+
+def _tried_in(ledger, entry, mutant):
+    """The changed part in the place of the same part of another entry."""
+    elsewhere = ledger[SHOWN_IN[entry.id, mutant.operator]]
+    changed = {
+        old: new for old, new in _changed_parts(entry.printed, mutant.statement) if old in elsewhere.printed.args
+    }
+    parts = [changed.get(part, part) for part in elsewhere.printed.args]
+    trial = _tried(elsewhere, mutant.operator, sp.And(*parts, evaluate=False))
+    shown = bool(changed) and trial.outcome == EQUAL
+    outcome, how = (EQUAL, f"{elsewhere.id}, {trial.how}") if shown else (SURVIVING, trial.how)
+    return Trial(entry.id, "statement", mutant.operator, outcome, how, str(mutant.statement), trial.seconds)
+
+
+def _changed_parts(printed, mutant):
+    ours, theirs = (set(s.args) if isinstance(s, sp.And) else {s} for s in (printed, mutant))
+    return zip(ours - theirs, theirs - ours, strict=False)
 
 
 def _renamed(control):

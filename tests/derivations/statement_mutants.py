@@ -26,6 +26,10 @@ _COFUNCTION = {
 }  # fmt: skip
 _FIRST_OPEN = (sp.Derivative, sp.Limit, ExprCondPair, ExprWithLimits)  # what stands behind says where
 _UNDECIDED = (AppliedUndef, sp.LambertW, sp.Abs)
+_HARMLESS = {  # -1 solves w e^(-w-1) = -1, too; beyond its bound an alternative such as w = W_(-1)(q) has no value
+    sp.Equivalent: ("sign of an exponent",),
+    sp.Or: ("bound off by 1", "bound not attained"),
+}
 _SHUT = (AppliedUndef, sp.Subs, sp.Lambda, sp.Order)  # unknown functions and what binds variables: not looked into
 
 
@@ -155,6 +159,8 @@ def _one_place_at_a_time(expr, rule):
 def _open_places(expr):
     """Which arguments are changed; not those of a limit that no rule decides, where what vanishes leaves it true."""
     if isinstance(expr, _SHUT) or (isinstance(expr, sp.Limit) and expr.has(*_UNDECIDED)):
+        return ()
+    if isinstance(expr, sp.Derivative) and isinstance(expr.expr, AppliedUndef):
         return ()
     if isinstance(expr, _FIRST_OPEN):
         return (0,)
