@@ -120,7 +120,8 @@ def _equations(one, other):
         if inner:
             return _strongest([way, inner])
     if isinstance(one.lhs, sp.Tuple) and isinstance(other.lhs, sp.Tuple):
-        return _in_any_order(*(sp.And(*_componentwise(e), evaluate=False) for e in (one, other)))
+        pair = [sp.And(*_componentwise(e), evaluate=False) for e in (one, other)]
+        return _in_any_order(*pair) or same_solutions(*pair)
     if isinstance(one.lhs, sp.Tuple) or isinstance(other.lhs, sp.Tuple):
         return None
     if one.has(sp.Limit) or other.has(sp.Limit):

@@ -153,7 +153,8 @@ class Independent(Claim):
     def trials(self):
         f, x = self.args
         same = sp.Eq(f.subs(x, FIRST), f.subs(x, SECOND), evaluate=False)
-        values = [sp.Rational(n, 7919) for n in (1583, 4525, 11003, 2741)]
+        side = -1 if x.is_negative else 1
+        values = [sp.Rational(side * n, 7919) for n in (1583, 4525, 11003, 2741)]
         return [(same, {FIRST: a, SECOND: b}) for a, b in pairwise(values)]
 
     def check_dimensions(self, agree):

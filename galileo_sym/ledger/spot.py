@@ -10,7 +10,7 @@ from sympy.core.function import AppliedUndef
 
 from . import numeric
 
-DIGITS = 40
+DIGITS = (30, 60)
 _NOT_LOOKED_AT = (sp.Derivative, sp.Limit, sp.Sum, sp.Integral, sp.Subs, sp.Order, sp.Piecewise, sp.Lambda)
 
 
@@ -29,11 +29,10 @@ def nonzero_somewhere(expr) -> bool:
         if None in point.values():
             return False
         try:
-            total = numeric.value(expr, point, DIGITS)
-            scale = max(abs(numeric.value(term, point, DIGITS)) for term in sp.Add.make_args(expr))
+            rough, fine = (numeric.value(expr, point, digits) for digits in DIGITS)
         except (ValueError, ZeroDivisionError, TypeError, OverflowError, NameError):
             continue
-        if mp.isfinite(total) and abs(total) > scale * mp.mpf(10) ** (-DIGITS // 2):
+        if mp.isfinite(fine) and abs(rough - fine) < abs(fine) * mp.mpf(10) ** -10:  # rounding would be another
             return True
     return False
 

@@ -72,11 +72,8 @@ def _statement(statement, dimensions) -> Iterator[tuple[str, sp.Basic]]:
 def _parts(whole, places, dimensions):
     for place in places:
         for operator, part in _statement(whole.args[place], dimensions):
-            dropped = part in whole.args
-            undecided = (
-                isinstance(whole, sp.Equivalent) and operator == "sign of an exponent"
-            )  # -1 solves w e^(-w-1) = -1
-            if not (dropped or undecided):
+            dropped = part in whole.args  # not wrong, but said twice
+            if not dropped and operator not in _HARMLESS.get(type(whole), ()):
                 yield operator, _with_arg(whole, place, part)
 
 
@@ -250,6 +247,7 @@ def _alike(equation, dimensions):
     """Pairs of quantities of one dimension."""
     names = {q for q in sp.preorder_traversal(equation) if isinstance(q, sp.Symbol | AppliedUndef)}
     numbers = {s for total in equation.atoms(ExprWithLimits) for s in total.bound_symbols}
+    numbers |= {limit.args[1] for limit in equation.atoms(sp.Limit)}
     names = {q for q in names if isinstance(q, AppliedUndef) or q in _coefficients(equation)}
     names = {q for q in names if not q.free_symbols & numbers}
     for one, other in combinations(sorted(names, key=str), 2):

@@ -2,11 +2,11 @@
 
 import pytest
 import sympy as sp
-from small_ledger import SOME, entry, p, q, r
+from small_ledger import SOME, entry, f, p, q, r
 from sympy import And, Eq, Equivalent, Ge, Gt, LambertW, Le, Limit, Lt, Or, acos, cos, exp, oo, sin
 
 from galileo_sym.ledger import POSITIVE, REAL, Domain, Kind
-from galileo_sym.ledger.equivalence import equivalent
+from galileo_sym.ledger.equivalence import equivalent, is_zero
 
 pytestmark = pytest.mark.xdist_group("compare")
 
@@ -43,6 +43,23 @@ def test_tuples_are_compared_by_component():
     pair = Eq(sp.Tuple(q, r), sp.Tuple(p, 2 * p), evaluate=False)
     assert equivalent(pair, Eq(sp.Tuple(r, p), sp.Tuple(2 * p, q), evaluate=False))
     assert equivalent(pair, Eq(sp.Tuple(q, r), sp.Tuple(2 * p, p), evaluate=False)) is None
+
+
+def test_roots_and_unknown_functions_count_as_quantities():
+    root = sp.sqrt(p + 1)
+    pair = Eq(sp.Tuple(q, r), sp.Tuple(p * root, p), evaluate=False)
+    assert equivalent(pair, Eq(sp.Tuple(q, p), sp.Tuple(r * root, r), evaluate=False))
+    assert equivalent(pair, Eq(sp.Tuple(q, p), sp.Tuple(r * root, -r), evaluate=False)) is None
+    assert equivalent(And(Eq(f(q), p), Eq(r, f(q))), And(Eq(f(q), r), Eq(r, p)))
+    assert equivalent(And(Eq(f(q), p), Eq(r, f(q))), And(Eq(f(r), p), Eq(r, f(q)))) is None
+
+
+def test_rounding_is_not_taken_for_a_difference():
+    """With W(u e^u) = u, for -1 < u < 0, both sides are 0 but for the last digits."""
+    u = sp.Symbol("u", negative=True)
+    w = LambertW(u * exp(u))
+    assert is_zero((w - u) / (u * (u + 1)) - ((w + 1) / (u + 1) - 1) / u)
+    assert is_zero((w - u) / (u * (u + 1)) - ((w + 1) / (u + 1) - 2) / u) is None
 
 
 LIMITS = {
