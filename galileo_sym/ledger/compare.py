@@ -54,11 +54,7 @@ def _compare(other, derived, declaration, given):
             return Kind.REFUTED, "the other statement holds here, the derived one does not", failure
         failure = where_a_side_holds(fresh, derived, declaration, known)
         if failure is not None:
-            return (
-                Kind.REFUTED,
-                "the derived statement holds here, and of the other's equivalence one side only",
-                failure,
-            )
+            return Kind.REFUTED, "the derived statement holds here, one side only of the other's equivalence", failure
         return part_by_part(derived, other, declaration, known) or (Kind.CHECKED, "equal in numbers only", None)
     except EmptyDomain as problem:
         return Kind.VACUOUS, str(problem), None
