@@ -235,7 +235,7 @@ def _equal(left, right, point):
     for infinite, other in ((left, right), (right, left)):
         if infinite in (sp.oo, -sp.oo) and other.has(sp.Limit):
             return _diverges(other * sp.sign(infinite), point)
-    before = None
+    before = unreal = None
     for digits in DIGITS:
         try:
             a, b = value(left, point, digits), value(right, point, digits)
@@ -247,8 +247,9 @@ def _equal(left, right, point):
         if not (mp.isfinite(a) and mp.isfinite(b)):
             return a == b
         gap = abs(a - b)
-        if abs(mp.im(a)) + abs(mp.im(b)) > scale * mp.mpf(10) ** (-digits // 4):  # what is not real equals nothing here
-            gap, before = scale, None
+        off = abs(mp.im(a)) + abs(mp.im(b))
+        if off > scale * mp.mpf(10) ** (-digits // 4) and not _shrinks(off, unreal, digits):
+            gap, before, unreal = scale, None, (off, digits)  # what is not real, but for rounding, equals nothing here
             continue
         if gap <= scale * mp.mpf(10) ** -AGREE or _shrinks(gap, before, digits):
             return True
