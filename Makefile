@@ -26,6 +26,9 @@ test: install ## run the tests, in parallel
 mutants: install ## change every statement and every premise in one place at a time: no mutant may survive
 	$(BIN)/python tools/mutation_run.py --processes 2
 
+coverage: install ## hold docs/coverage.md against a run of every derivation
+	$(BIN)/python tools/coverage_page.py
+
 lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
