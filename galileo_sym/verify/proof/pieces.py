@@ -1,0 +1,167 @@
+"""The pieces of a primitive: which arguments come to each, its centre and its polynomial, all from the emitted C."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import count
+
+from .binary64 import RN, before, double_of_bits, ulp
+from .emitted import Call, Name, Number, RefusedSource
+
+NEAR, PAIR, FAR = "_near", "_near_pair", "_far"
+PREFIX = "gs_"
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One piece.
+
+    Every x >= 0 that the emitted code looks up here lies in [lower, upper], and so does x + x_lo, abs x_lo <= ulp(x)/2.
+    The polynomial is the sum of coefficients[k] d^k, d = x - centre; coefficients[0] is the exact c0 + c0_lo.
+    """
+
+    index: int
+    lower: Fraction
+    upper: Fraction
+    centre: Fraction
+    coefficients: tuple
+
+    @property
+    def d_lower(self):
+        """Least value of d."""
+        return self.lower - self.centre
+
+    @property
+    def d_upper(self):
+        """Greatest value of d."""
+        return self.upper - self.centre
+
+
+def primitives(emitted):
+    """Return the names of the primitives, in the order of the file.
+
+    Parameters
+    ----------
+    emitted : Emitted
+
+    Returns
+    -------
+    list of str
+        Without prefix and suffix, such as "descent_factor".
+    """
+    return [
+        name.removeprefix(PREFIX).removesuffix(NEAR)
+        for name in emitted.functions
+        if name.startswith(PREFIX) and name.endswith(NEAR)
+    ]
+
+
+def _is(expression, operation, *arguments):
+    """Return whether an expression is this operation, of these arguments where they are not None."""
+    return (
+        isinstance(expression, Call)
+        and expression.operation == operation
+        and all(want is None or want == found for want, found in zip(arguments, expression.arguments, strict=True))
+    )
+
+
+def lookup(function):
+    """How a function finds its piece: gs_piece(gs_add(x, gs_v_of(offset)), first, drop).
+
+    Returns
+    -------
+    tuple
+        The name of the index, offset, first, drop.
+
+    Raises
+    ------
+    RefusedSource
+        If there is not exactly one look-up of that form.
+    """
+    found = [(name, e) for name, e in function.statements if _is(e, "gs_piece", None, None, None)]
+    if len(found) == 1:
+        name, (shifted, first, drop) = found[0][0], found[0][1].arguments
+        if _is(shifted, "gs_add", Name("x"), None) and _is(shifted.arguments[1], "gs_v_of", None):
+            offset = shifted.arguments[1].arguments[0]
+            if all(isinstance(constant, Number) for constant in (offset, first, drop)):
+                return name, offset.value, int(first.value), int(drop.value)
+    raise RefusedSource(f"{function.name}: no look-up of the form gs_piece(gs_add(x, gs_v_of(offset)), first, drop)")
+
+
+def centre_table(function):
+    """Return the table of the centres: of the one gs_sub(x, gs_pick(table, index)).
+
+    Raises
+    ------
+    RefusedSource
+        If there is not exactly one such subtraction.
+    """
+    index = Name(lookup(function)[0])
+    tables = [
+        e.arguments[1].arguments[0].name
+        for _, e in function.statements
+        if _is(e, "gs_sub", Name("x"), None) and _is(e.arguments[1], "gs_pick", None, index)
+    ]
+    if len(tables) != 1:
+        raise RefusedSource(f"{function.name}: {len(tables)} subtractions of a centre from x")
+    return tables[0]
+
+
+def _intervals(function, size):
+    """Return the bounds of every piece, widened by what the rounding of x + offset and a low part of x may do."""
+    _, offset, first, drop = lookup(function)
+    bounds = [double_of_bits((first + i) << drop) for i in range(size + 1)]
+    if not bounds[0] <= offset < bounds[1]:
+        raise RefusedSource(f"{function.name}: x = 0 is not in piece 0")
+    top, limit = bounds[-1], bounds[-1] - offset
+    if limit != RN(limit) or RN(before(limit) + offset) >= top:
+        raise RefusedSource(f"{function.name}: the last x before the end is looked up beyond the last piece")
+    # RN(x + offset) >= v means x + offset >= v - ulp/2, and x_lo is half an ulp of x at most, which is no larger;
+    # RN(x + offset) < w means x + offset <= w - ulp/2 of the double before w
+    lower = [max(Fraction(0), v - offset - ulp(v)) for v in bounds[:-1]]
+    return list(zip(lower, (v - offset for v in bounds[1:]), strict=True))
+
+
+def _polynomials(emitted, name, size):
+    """Return the coefficients of every piece, high and low parts added."""
+    stem = f"{PREFIX}{name}_c"
+    columns = []
+    for k in count():
+        if f"{stem}{k}" not in emitted.tables:
+            break
+        low = emitted.tables.get(f"{stem}{k}_lo", (Fraction(0),) * size)
+        columns.append([a + b for a, b in zip(emitted.tables[f"{stem}{k}"], low, strict=True)])
+    return list(zip(*columns, strict=True))
+
+
+def pieces(emitted, name, suffix=NEAR):
+    """Return the pieces of a primitive.
+
+    Parameters
+    ----------
+    emitted : Emitted
+    name : str
+        Such as "descent_factor".
+    suffix : str
+        NEAR or PAIR: which function's look-up is read.
+
+    Returns
+    -------
+    list of Piece
+
+    Raises
+    ------
+    RefusedSource
+        If the function looks its piece up in another way, or a table is missing.
+    """
+    function = emitted.functions[f"{PREFIX}{name}{suffix}"]
+    centres = emitted.tables[centre_table(function)]
+    intervals, polynomials = _intervals(function, len(centres)), _polynomials(emitted, name, len(centres))
+    if not polynomials:
+        raise RefusedSource(f"{name} has no table of coefficients {PREFIX}{name}_c0")
+    rows = zip(intervals, centres, polynomials, strict=True)
+    return [Piece(i, *interval, centre, polynomial) for i, (interval, centre, polynomial) in enumerate(rows)]
+
+
+def end(emitted, name):
+    """Return where the far form takes over: the exact upper bound of the last piece."""
+    return pieces(emitted, name)[-1].upper
