@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
 .DEFAULT_GOAL := all
-.PHONY: all install test mutants coverage lint format clean help
+.PHONY: all install test mutants coverage tables lint format clean help
 
 all: install ## install, then derive, emit and verify everything
 	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
@@ -25,6 +25,9 @@ test: install ## run the tests, in parallel
 
 mutants: install ## change every statement and every premise in one place at a time: no mutant may survive
 	$(BIN)/python tools/mutation_run.py --processes 2
+
+tables: install ## fit the primitives' coefficients again; the same bytes unless a definition changed
+	$(BIN)/python -m galileo_sym.primitives.remake
 
 coverage: install ## hold docs/coverage.md against a run of every derivation
 	$(BIN)/python tools/coverage_page.py

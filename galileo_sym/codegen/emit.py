@@ -13,7 +13,7 @@ import sympy
 
 import galileo_sym
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen import c99, numpy, tables
+from galileo_sym.codegen import c99, kernels, numpy, tables
 
 PINNED = {"sympy": "1.14.0", "mpmath": "1.3.0"}
 KEPT = ("certificates",)  # reviewed and committed by other means, never written here
@@ -68,11 +68,19 @@ def _sources():
     for paper in _papers():
         files[f"{paper}.py"] = _python(f"the stable forms of {paper}", numpy.module(paper))
         files[f"c/{paper}.c"] = _c(f"the stable forms of {paper}", c99.source(paper))
-    header = _template("c/galileo.h").replace("@DECLARATIONS@\n", c99.declarations())
+    header = _template("c/galileo.h").replace("@DECLARATIONS@\n", c99.declarations() + kernels.prototypes())
     files["c/galileo.h"] = _c("the catalogue", header)
     support = _template("c/galileo_support.h").replace("@SIZES@\n", tables.c_sizes())
     files["c/galileo_support.h"] = _c("templates/c/galileo_support.h", support)
     files["c/primitives.c"] = _c("templates/c/primitives.c", _template("c/primitives.c"))
+    for name in ("galileo_vector.h", "galileo_loops.h"):
+        files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
+    files["c/galileo_kernels.h"] = _c("the coefficients of galileo_sym.primitives", kernels.kernels_header())
+    target = _template("c/special_target.c")
+    for suffix in kernels.TARGETS:
+        text = kernels.target_source(target, suffix)
+        files[f"c/special_{suffix}.c"] = _c("templates/c/special_target.c", text)
+    files["c/special.c"] = _c("templates/c/special.c", kernels.public_source(_template("c/special.c")))
     files["c/tables.c"] = _c("the tables of galileo_sym.primitives", tables.c_tables())
     return files
 

@@ -275,6 +275,37 @@ void gs_projectile_best_angle_n(size_t n, const double *alpha, double *angle);
 float gs_projectile_best_anglef(float alpha);
 void gs_projectile_best_angle_nf(size_t n, const float *alpha, float *angle);
 
+/* One-variable functions of x >= 0, dimensionless. Beyond the domain: NaN and FE_INVALID. */
+
+/* (1 - exp(-z))/z */
+double gs_special_phi1m(double x);
+void gs_special_phi1m_n(size_t n, const double *x, double *value);
+float gs_special_phi1mf(float x);
+void gs_special_phi1m_nf(size_t n, const float *x, float *value);
+
+/* (z - 1 + exp(-z))/z^2 */
+double gs_special_phi2m(double x);
+void gs_special_phi2m_n(size_t n, const double *x, double *value);
+float gs_special_phi2mf(float x);
+void gs_special_phi2m_nf(size_t n, const float *x, float *value);
+
+/* tau/p with tau - 1 + exp(-tau) = p^2/2 */
+double gs_special_descent_factor(double x);
+void gs_special_descent_factor_n(size_t n, const double *x, double *value);
+float gs_special_descent_factorf(float x);
+void gs_special_descent_factor_nf(size_t n, const float *x, float *value);
+
+/* T/(2 b) with T = (1 + b)(1 - exp(-T)) */
+double gs_special_flight_factor(double x);
+void gs_special_flight_factor_n(size_t n, const double *x, double *value);
+float gs_special_flight_factorf(float x);
+void gs_special_flight_factor_nf(size_t n, const float *x, float *value);
+
+/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)) */
+double gs_special_range_factor(double x);
+void gs_special_range_factor_n(size_t n, const double *x, double *value);
+float gs_special_range_factorf(float x);
+void gs_special_range_factor_nf(size_t n, const float *x, float *value);
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,197 @@
+"""The emitted primitives: the same bits from every version, values against independent references, edges and flags."""
+
+import ctypes
+import subprocess
+
+import compiled
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+
+from galileo_sym.codegen.kernels import TARGETS
+from galileo_sym.primitives.kernels import KERNELS
+
+SPECIAL = [np.nan, -np.nan, np.inf, 0.0, -0.0, 5e-324, 2.3e-308, np.finfo(float).max, -1.0, -np.inf, -5e-324]
+
+
+# Closed forms by Lambert W, as far from the code under test as can be; the precision doubles until two agree.
+def _flight(b):
+    y = 1 + b
+    return y + mp.lambertw(-y * mp.exp(-y)).real
+
+
+def _descent(p):
+    return 1 + p * p / 2 + mp.lambertw(-mp.exp(-1 - p * p / 2)).real
+
+
+CLOSED = {
+    "phi1m": lambda z: -mp.expm1(-z) / z,
+    "phi2m": lambda z: (z + mp.expm1(-z)) / z**2,
+    "descent_factor": lambda p: _descent(p) / p,
+    "flight_factor": lambda b: _flight(b) / (2 * b),
+    "range_factor": lambda b: -mp.expm1(-_flight(b)) / (2 * b),
+}
+LIMITS = {  # at 0 and at infinity
+    "phi1m": (1.0, 0.0),
+    "phi2m": (0.5, 0.0),
+    "descent_factor": (1.0, np.inf),
+    "flight_factor": (1.0, 0.5),
+    "range_factor": (1.0, 0.0),
+}
+
+
+def reference(name, x):
+    """The value to 40 digits."""
+    previous, digits = None, 60 + 3 * max(0, int(-np.log10(x)))  # what cancels at small arguments
+    while True:
+        with mp.workdps(digits):
+            value = CLOSED[name](mpf(float(x)))
+        if previous is not None and abs(value - previous) <= abs(value) * mpf(10) ** -40:
+            return value
+        previous, digits = value, 2 * digits
+        assert digits < 10000
+
+
+def points(name, count, seed=1):
+    """Arguments of all sizes, and on both sides of every end of a piece."""
+    kernel, rng = KERNELS[name], np.random.default_rng(seed)
+    spread = 10.0 ** rng.uniform(-12, np.log10(kernel.end) + 1, count)
+    far = 10.0 ** rng.uniform(-323, 308, count // 4)
+    ends = np.array([kernel.end, *(2.0**e * (1 + s / 4) for e in range(-8, 9) for s in range(4))])
+    return np.concatenate([spread, far, ends, np.nextafter(ends, 0), np.nextafter(ends, 1e9)])
+
+
+def versions():
+    """Suffixes of the versions that this machine can run."""
+    described = subprocess.run(["cat", "/proc/cpuinfo"], capture_output=True, text=True, check=False).stdout
+    flags = set(next((line for line in described.splitlines() if line.startswith("flags")), "").split())
+    return ["plain", *(s for s, (_, features, _) in TARGETS.items() if set(features.split(",")) <= flags)]
+
+
+def run(name, x, suffix, dtype=np.float64):
+    """Call one version of an array loop."""
+    x = np.ascontiguousarray(x, dtype=dtype)
+    value = np.empty_like(x)
+    function = getattr(compiled.library(), f"gs_{name}_n{'f' * (dtype is np.float32)}_{suffix}")
+    function.restype = None
+    function(ctypes.c_size_t(x.size), ctypes.c_void_p(x.ctypes.data), ctypes.c_void_p(value.ctypes.data))
+    return value
+
+
+@pytest.mark.parametrize("name", KERNELS)
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_every_version_gives_the_same_bits(name, dtype):
+    """Whatever the vectors, and whatever the length of the array's end."""
+    with np.errstate(all="ignore"):
+        x = np.concatenate([points(name, 4000), SPECIAL]).astype(dtype)
+    bits = np.int64 if dtype is np.float64 else np.int32
+    plain = run(name, x, "plain", dtype)
+    for suffix in versions()[1:]:
+        assert np.array_equal(plain.view(bits), run(name, x, suffix, dtype).view(bits)), suffix
+        for length in range(1, 20):
+            assert np.array_equal(plain[:length].view(bits), run(name, x[:length], suffix, dtype).view(bits))
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_values(name):
+    """Within 0.55 ulp of the closed form."""
+    x = points(name, 250)
+    for a, value in zip(x, run(name, x, "plain"), strict=True):
+        assert abs(mpf(float(value)) - reference(name, a)) <= mpf(float(np.spacing(value))) * mpf("0.55"), a
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_binary32_is_correctly_rounded(name):
+    """The nearest float, at every point tried; `make exhaustive` tries all there are."""
+    x = points(name, 250, seed=2)
+    x = x[(x > 1e-44) & (x < 3e38)].astype(np.float32)
+    for a, value in zip(x, run(name, x, "plain", np.float32), strict=True):
+        exact = reference(name, a)
+        neighbours = [np.nextafter(value, np.float32(0)), np.nextafter(value, np.float32(np.inf))]
+        missed = abs(mpf(float(value)) - exact)
+        assert all(missed <= abs(mpf(float(n)) - exact) for n in neighbours), a
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_edges(name):
+    """Limits at 0 and infinity; NaN for what is no argument; outputs may be the inputs."""
+    at_zero, at_infinity = LIMITS[name]
+    for suffix in versions():
+        value = run(name, SPECIAL, suffix)
+        assert value[2] == at_infinity
+        assert (value[3:7] == at_zero).all()
+        assert np.isnan(value[[0, 1, 8, 9, 10]]).all()
+        assert np.isfinite(value[7])
+
+
+FLAGS_PROGRAM = """#include <fenv.h>
+#include <math.h>
+#include <stdio.h>
+#include "galileo.h"
+static int failures;
+static void tried(const char *name, void (*f)(size_t, const double *, double *), double odd, int wanted)
+{
+    for (size_t n = 1; n < 40; n += 3)
+        for (size_t place = 0; place < n; place++) {
+            double x[40], value[40];
+            for (size_t j = 0; j < n; j++)
+                x[j] = j == place ? odd : 0.37 * (double)(j + 1);
+            feclearexcept(FE_ALL_EXCEPT);
+            f(n, x, value);
+            const int raised = fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+            if (raised != wanted) {
+                printf("%s(%a) at %zu of %zu: exceptions %d instead of %d\\n", name, odd, place, n, raised, wanted);
+                failures++;
+                return;
+            }
+        }
+}
+int main(void)
+{
+    const double quiet[] = {0.0, -0.0, 5e-324, 1e-300, 9.375, 15.0, 45.0, 300.0, 1e308, INFINITY, NAN};
+    const double bad[] = {-5e-324, -1.0, -1e308, -INFINITY};
+    for (size_t j = 0; j < sizeof quiet / sizeof *quiet; j++) {
+@QUIET@    }
+    for (size_t j = 0; j < sizeof bad / sizeof *bad; j++) {
+@BAD@    }
+    return failures != 0;
+}
+"""
+
+
+@pytest.mark.parametrize("compiler", compiled.compilers() or [None])
+@pytest.mark.parametrize("level", ["-O2", "-O3"])
+def test_vector_versions_raise_only_what_is_due(compiler, level, tmp_path):
+    """Invalid for negative arguments, nothing for any other, in every lane and at every length."""
+    compiled.library()
+    names = [f"gs_{name}_n_{suffix}" for name in KERNELS for suffix in versions()]
+    declared = "".join(f"void {n}(size_t n, const double *x, double *value);\n" for n in names)
+    quiet, bad = (
+        "".join(f'        tried("{n}", {n}, {array}[j], {flags});\n' for n in names)
+        for array, flags in (("quiet", "0"), ("bad", "FE_INVALID"))
+    )
+    program = FLAGS_PROGRAM.replace("static int failures;", f"{declared}static int failures;")
+    source, target = tmp_path / "flags.c", tmp_path / "flags"
+    source.write_text(program.replace("@QUIET@", quiet).replace("@BAD@", bad), encoding="utf-8")
+    flags = ["-std=c99", level, "-ffp-contract=off", f"-I{compiled.SOURCES}"]
+    sources = [str(source), *map(str, sorted(compiled.SOURCES.glob("special*.c")))]
+    subprocess.run([compiler, *flags, *sources, "-o", str(target), "-lm"], check=True)
+    done = subprocess.run([str(target)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+def test_without_extensions_of_the_compiler(tmp_path):
+    """GS_PORTABLE leaves plain C99 alone, with the same bits."""
+    compiled.library()
+    target = tmp_path / "libspecial.so"
+    sources = map(str, sorted(compiled.SOURCES.glob("special*.c")))
+    command = [compiled.compilers()[0], *compiled.FLAGS, "-DGS_PORTABLE", "-shared", *sources, "-o", str(target), "-lm"]
+    subprocess.run(command, check=True)
+    library = ctypes.CDLL(str(target))
+    assert not hasattr(library, "gs_phi1m_n_avx2")
+    x = points("phi1m", 500)
+    value = np.empty_like(x)
+    library.gs_special_phi1m_n(
+        ctypes.c_size_t(x.size), ctypes.c_void_p(x.ctypes.data), ctypes.c_void_p(value.ctypes.data)
+    )
+    assert np.array_equal(value, run("phi1m", x, "plain"))
