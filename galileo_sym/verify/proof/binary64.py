@@ -5,6 +5,7 @@ from fractions import Fraction
 
 DIGITS = 53
 SMALLEST = Fraction(1, 2**1074)  # the least subnormal: every double is a multiple of it
+LARGEST = Fraction(2**1024 - 2**971)
 _LEAST_EXPONENT = -1022
 _OVERFLOW = Fraction(2**1024 - 2**970)  # what rounds to infinity
 

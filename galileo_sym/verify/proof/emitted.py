@@ -1,7 +1,8 @@
 """The emitted kernels as data: tables of coefficients and lists of operations, parsed from the C that is compiled.
 
-The grammar is what the emitter writes, and no more: `static const double name[16] = {...};` and `static inline`
-functions of constant declarations, stores through a pointer parameter and one final return. The rest is refused.
+The grammar is what the emitter writes, and no more: `GS_TABLE(name) = {...};` and `static inline` functions of constant
+declarations, stores through a pointer parameter and one final return. Functions that choose between these are kept as
+text, for `dispatch`. The rest is refused.
 """
 
 import hashlib
@@ -20,13 +21,18 @@ ARITY = {
     "gs_div": 2,
     "gs_fma": 3,
     "gs_fms": 3,
+    "gs_fnma": 3,
+    "gs_min": 2,
     "gs_rest": 3,
     "gs_product_rest": 3,
     "gs_v_of": 1,
     "gs_pick": 2,
     "gs_piece": 3,
 }
-_TYPES = "typedef double gs_v; typedef int gs_index;\n"
+CHOOSING = ("_value", "_outside")
+_TYPES = "typedef double gs_v; typedef int gs_index; typedef int gs_mask;\n"
+_TABLE = re.compile(r"\bGS_TABLE\((\w+)\)")  # what galileo_vector.h makes of it, but for the alignment
+_RARE = re.compile(r"\bGS_RARE\b")
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _HARMLESS = re.compile(r"#\s*(include\b.*|ifndef\s+\w+|define\s+\w+_H|endif)$")
 
@@ -73,11 +79,12 @@ class Function:
 
 @dataclass(frozen=True)
 class Emitted:
-    """What one C file holds: tables by name, functions by name, and the SHA-256 of its bytes."""
+    """What one C file holds, by name: tables, functions, functions that choose as text; the SHA-256 of its bytes."""
 
     sha256: str
     tables: dict
     functions: dict
+    choosing: dict
 
 
 def _refuse(node, why):
@@ -182,6 +189,36 @@ def _function(node, tables):
     return Function(node.decl.name, parameters, pointers, tuple(statements), _expression(last.expr, known))
 
 
+_SHOWN = {
+    c_ast.ID: lambda node: node.name,
+    c_ast.Constant: lambda node: node.value,
+    c_ast.FuncCall: lambda node: f"{node.name.name}({', '.join(map(_shown, node.args.exprs))})",
+    c_ast.UnaryOp: lambda node: f"{node.op}{_shown(node.expr)}",
+    c_ast.TernaryOp: lambda node: f"{_shown(node.cond)} ? {_shown(node.iftrue)} : {_shown(node.iffalse)}",
+    c_ast.Assignment: lambda node: f"{_shown(node.lvalue)} {node.op} {_shown(node.rvalue)};",
+    c_ast.Decl: lambda node: f"{_type_name(node.type)} {node.name}{_shown_start(node.init)};",
+    c_ast.Return: lambda node: f"return {_shown(node.expr)};",
+}
+
+
+def _shown_start(init):
+    return f" = {_shown(init)}" if init else ""
+
+
+def _shown(node):
+    """Return a node as text in one form, whatever its layout in the source."""
+    if type(node) not in _SHOWN:
+        _refuse(node, f"{type(node).__name__} in a function that chooses")
+    return _SHOWN[type(node)](node)
+
+
+def _choice(node):
+    """Return the text of a function that chooses, its parameters first."""
+    values, pointers = _parameters(node)
+    parameters = ", ".join([*values, *(f"*{name}" for name in pointers)])
+    return " ".join([f"{parameters}:", *map(_shown, node.body.block_items)])
+
+
 def _without_directives(text):
     """Blank out comments and include guards, keeping line numbers; refuse every other directive."""
     text = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
@@ -211,22 +248,25 @@ def parse(text):
     RefusedSource
         If anything in it is outside the grammar.
     """
+    source = _RARE.sub("", _TABLE.sub(r"static const double \1[16]", _without_directives(text)))
     try:
-        tree = CParser().parse(_TYPES + "#line 1\n" + _without_directives(text), "emitted C")
+        tree = CParser().parse(f"{_TYPES}#line 1\n{source}", "emitted C")
     except ParseError as cause:
         raise RefusedSource(str(cause)) from None
-    tables, functions = {}, {}
-    for node in tree.ext[2:]:  # after the two stubs of types
-        if isinstance(node, c_ast.FuncDef):
+    tables, functions, choosing = {}, {}, {}
+    for node in tree.ext[_TYPES.count(";") :]:
+        if isinstance(node, c_ast.FuncDef) and node.decl.name.endswith(CHOOSING):
+            known, name, made = choosing, node.decl.name, _choice(node)
+        elif isinstance(node, c_ast.FuncDef):
             known, name, made = functions, node.decl.name, _function(node, tables)
         elif isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.ArrayDecl) and "const" in node.quals:
             known, name, made = tables, node.name, _table(node)
         else:
             _refuse(node, f"{type(node).__name__} is neither a constant table nor a function")
-        if name in tables or name in functions:
+        if name in tables or name in functions or name in choosing:
             _refuse(node, f"{name} is defined twice")
         known[name] = made
-    return Emitted(hashlib.sha256(text.encode()).hexdigest(), tables, functions)
+    return Emitted(hashlib.sha256(text.encode()).hexdigest(), tables, functions, choosing)
 
 
 def read(path):

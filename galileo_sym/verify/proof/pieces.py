@@ -1,13 +1,14 @@
-"""The pieces of a primitive: which arguments come to each, its centre and its polynomial, all from the emitted C."""
+"""The pieces of a bank: which arguments come to each, its centre and its polynomial, all from the emitted C."""
 
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import count
 
 from .binary64 import RN, before, double_of_bits, ulp
+from .dispatch import bank
 from .emitted import Call, Name, Number, RefusedSource
 
-NEAR, PAIR, FAR = "_near", "_near_pair", "_far"
+NEAR, PAIR = "_near", "_near_pair"
 PREFIX = "gs_"
 
 
@@ -36,25 +37,6 @@ class Piece:
         return self.upper - self.centre
 
 
-def primitives(emitted):
-    """Return the names of the primitives, in the order of the file.
-
-    Parameters
-    ----------
-    emitted : Emitted
-
-    Returns
-    -------
-    list of str
-        Without prefix and suffix, such as "descent_factor".
-    """
-    return [
-        name.removeprefix(PREFIX).removesuffix(NEAR)
-        for name in emitted.functions
-        if name.startswith(PREFIX) and name.endswith(NEAR)
-    ]
-
-
 def _is(expression, operation, *arguments):
     """Return whether an expression is this operation, of these arguments where they are not None."""
     return (
@@ -65,7 +47,7 @@ def _is(expression, operation, *arguments):
 
 
 def lookup(function):
-    """How a function finds its piece: gs_piece(gs_add(x, gs_v_of(offset)), first, drop).
+    """How a function finds its piece: gs_piece(u, first, drop), u = gs_add(x, gs_v_of(offset)).
 
     Returns
     -------
@@ -80,11 +62,13 @@ def lookup(function):
     found = [(name, e) for name, e in function.statements if _is(e, "gs_piece", None, None, None)]
     if len(found) == 1:
         name, (shifted, first, drop) = found[0][0], found[0][1].arguments
+        if isinstance(shifted, Name):
+            shifted = dict(function.statements).get(shifted.name)
         if _is(shifted, "gs_add", Name("x"), None) and _is(shifted.arguments[1], "gs_v_of", None):
             offset = shifted.arguments[1].arguments[0]
             if all(isinstance(constant, Number) for constant in (offset, first, drop)):
                 return name, offset.value, int(first.value), int(drop.value)
-    raise RefusedSource(f"{function.name}: no look-up of the form gs_piece(gs_add(x, gs_v_of(offset)), first, drop)")
+    raise RefusedSource(f"{function.name}: no look-up gs_piece(u, first, drop) of u = gs_add(x, gs_v_of(offset))")
 
 
 def centre_table(function):
@@ -106,15 +90,12 @@ def centre_table(function):
     return tables[0]
 
 
-def _intervals(function, size):
+def _intervals(function, size, served):
     """Return the bounds of every piece, widened by what the rounding of x + offset and a low part of x may do."""
     _, offset, first, drop = lookup(function)
     bounds = [double_of_bits((first + i) << drop) for i in range(size + 1)]
-    if not bounds[0] <= offset < bounds[1]:
-        raise RefusedSource(f"{function.name}: x = 0 is not in piece 0")
-    top, limit = bounds[-1], bounds[-1] - offset
-    if limit != RN(limit) or RN(before(limit) + offset) >= top:
-        raise RefusedSource(f"{function.name}: the last x before the end is looked up beyond the last piece")
+    if offset < 0 or RN(served.begin + offset) < bounds[0] or RN(before(served.end) + offset) >= bounds[-1]:
+        raise RefusedSource(f"{function.name}: an x that it serves is looked up outside its {size} pieces")
     # RN(x + offset) >= v means x + offset >= v - ulp/2, and x_lo is half an ulp of x at most, which is no larger;
     # RN(x + offset) < w means x + offset <= w - ulp/2 of the double before w
     lower = [max(Fraction(0), v - offset - ulp(v)) for v in bounds[:-1]]
@@ -134,13 +115,13 @@ def _polynomials(emitted, name, size):
 
 
 def pieces(emitted, name, suffix=NEAR):
-    """Return the pieces of a primitive.
+    """Return the pieces of a bank.
 
     Parameters
     ----------
     emitted : Emitted
     name : str
-        Such as "descent_factor".
+        The bank's, such as "flight_tail".
     suffix : str
         NEAR or PAIR: which function's look-up is read.
 
@@ -155,13 +136,11 @@ def pieces(emitted, name, suffix=NEAR):
     """
     function = emitted.functions[f"{PREFIX}{name}{suffix}"]
     centres = emitted.tables[centre_table(function)]
-    intervals, polynomials = _intervals(function, len(centres)), _polynomials(emitted, name, len(centres))
+    intervals, polynomials = (
+        _intervals(function, len(centres), bank(emitted, name)),
+        _polynomials(emitted, name, len(centres)),
+    )
     if not polynomials:
         raise RefusedSource(f"{name} has no table of coefficients {PREFIX}{name}_c0")
     rows = zip(intervals, centres, polynomials, strict=True)
     return [Piece(i, *interval, centre, polynomial) for i, (interval, centre, polynomial) in enumerate(rows)]
-
-
-def end(emitted, name):
-    """Return where the far form takes over: the exact upper bound of the last piece."""
-    return pieces(emitted, name)[-1].upper

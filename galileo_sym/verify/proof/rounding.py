@@ -1,0 +1,143 @@
+"""Bounds of the rounding error of the emitted operations: piece by piece below the end, binade by binade above it."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from .binary64 import LARGEST, exponent, power, ulp
+from .emitted import RefusedSource
+from .expansion import Expansion, Symbols
+from .pieces import NEAR, PREFIX, lookup, pieces
+from .replay import Replay, Unproved, given
+
+
+@dataclass(frozen=True)
+class Rounding:
+    """The rounding errors over one range of x, absolute, as exact rationals.
+
+    value: what the operations before the last one have done to the result; last: whether that one rounds, too;
+    pair: the error of hi + lo, or of hi where there is no lo; least and largest: bounds of the absolute value of the
+    form that is evaluated, without rounding errors; terms: that form, {power of d, or of x beyond the end: coefficient}.
+    """
+
+    lower: Fraction
+    upper: Fraction
+    value: Fraction
+    last: bool
+    pair: Fraction
+    least: Fraction
+    largest: Fraction
+    terms: dict
+
+
+def _argument(piece, symbols):
+    """Return x = centre + d, a double of the piece, and the low part that may come with it."""
+    step = ulp(piece.lower)
+    x = given(Expansion.of(piece.centre) + Expansion.argument(), step)
+    return {"x": x, "x_lo": given(symbols.fresh(ulp(piece.upper) / 2))}
+
+
+def _polynomial(coefficients, d):
+    """Return the polynomial at an expansion, by Horner's rule."""
+    total = Expansion({})
+    for coefficient in reversed(coefficients):
+        total = total * d + Expansion.of(coefficient)
+    return total
+
+
+def _over(symbols, replay, exact, lower, upper):
+    """Return the bounds of a replay held against the exact form."""
+    hi, lo = replay.returned, replay.values.get("lo")
+    pair = hi.rounded + lo.rounded if lo else hi.rounded
+    return Rounding(
+        lower=lower,
+        upper=upper,
+        value=symbols.largest(hi.exact - exact),
+        last=hi.exact.terms != hi.rounded.terms,
+        pair=symbols.largest(pair - exact),
+        least=symbols.least(exact),
+        largest=symbols.largest(exact),
+        terms=exact.without_symbols(),
+    )
+
+
+def _on_piece(emitted, function, piece):
+    """Return the bounds on one piece of a function."""
+    symbols = Symbols(piece.d_lower, piece.d_upper)
+    known = _argument(piece, symbols)
+    if not set(function.parameters) <= set(known):
+        raise RefusedSource(f"{function.name} takes {', '.join(function.parameters)}, where x and x_lo are known")
+    parameters = {name: known[name] for name in function.parameters}
+    picked = {table: values[piece.index] for table, values in emitted.tables.items() if piece.index < len(values)}
+    replay = Replay(function, symbols, parameters, picked, lookup(function)[0])
+    argument = Expansion.argument()
+    centres = [name for name, value in replay.values.items() if value.rounded.terms == argument.terms]
+    if not centres:
+        raise Unproved(f"{function.name}, piece {piece.index}: x - centre is not proved exact")
+    if "x_lo" in parameters:
+        argument += parameters["x_lo"].rounded
+    exact = _polynomial(piece.coefficients, argument)
+    return _over(symbols, replay, exact, piece.lower, piece.upper)
+
+
+def near(emitted, name, suffix=NEAR):
+    """Return the rounding errors on every piece.
+
+    Parameters
+    ----------
+    emitted : Emitted
+    name : str
+        Such as "descent_factor".
+    suffix : str
+        NEAR, or PAIR: the form that takes x + x_lo with abs x_lo <= ulp(x)/2.
+
+    Returns
+    -------
+    list of Rounding
+
+    Raises
+    ------
+    RefusedSource, Unproved, Overflow
+        If the code is outside the grammar or a side condition is not proved.
+    """
+    function = emitted.functions[f"{PREFIX}{name}{suffix}"]
+    return [_on_piece(emitted, function, piece) for piece in pieces(emitted, name, suffix)]
+
+
+def _binades(first):
+    """Return the ranges [lower, upper] of doubles from the first on, each within a binade."""
+    ranges, lower = [], first
+    while lower < LARGEST:
+        upper = min(2 * power(exponent(lower)), LARGEST)
+        ranges.append((lower, upper))
+        lower = upper
+    return ranges
+
+
+def far(emitted, name, first):
+    """Return the rounding errors of the far form on every binade.
+
+    Parameters
+    ----------
+    emitted : Emitted
+    name : str
+        The primitive's.
+    first : Fraction
+        Where the far form begins; it is followed up to the largest double.
+
+    Returns
+    -------
+    list of Rounding
+
+    Raises
+    ------
+    RefusedSource, Unproved, Overflow
+        As `near`.
+    """
+    function = emitted.functions[f"{PREFIX}{name}_far"]
+    found = []
+    for lower, upper in _binades(first):
+        symbols = Symbols(lower, upper)
+        replay = Replay(function, symbols, {"x": given(Expansion.argument(), ulp(lower))}, {})
+        exact = Expansion({(k, ()): c for k, c in replay.returned.exact.without_symbols().items()})
+        found.append(_over(symbols, replay, exact, lower, upper))
+    return found
