@@ -1,0 +1,133 @@
+"""What each primitive is: an equation whose only positive root f is the primitive at x; no W is evaluated.
+
+Each row gives, for x >= 0 and f > 0, the residual (0 where f is the primitive) and f times its derivative with respect
+to f, up to sign. Both are analytic at x = 0. The second keeps its sign for all f > 0 unless the row says otherwise, so
+the root is unique, and a polynomial in place of f is judged by its residual alone. Definitions: design section 5.
+"""
+
+from dataclasses import dataclass
+
+from galileo_sym.verify.proof.approximation_functions import (
+    cos,
+    exp,
+    log,
+    log_lag,
+    log_mean,
+    phi1,
+    phi1_slope,
+    phi2,
+    sin,
+    sqrt,
+)
+
+
+@dataclass(frozen=True)
+class Equation:
+    """A primitive's definition.
+
+    Attributes
+    ----------
+    terms : callable
+        Takes x and f; returns the residual and its logarithmic slope, as above.
+    least : int
+        A lower bound of the primitive on x >= 0 that follows from its definition and is attained at 0; else 0.
+    below : float or None
+        The root is the only one between 0 and this; None: the only positive one.
+    """
+
+    terms: object
+    least: int = 0
+    below: float | None = None
+
+
+def _phi1m(x, f):
+    return f - phi1(-x), f
+
+
+def _phi2m(x, f):
+    return f - phi2(-x), f
+
+
+def _time(x, time):
+    """tau = x time with tau - 1 + exp(-tau) = x^2/2, divided by x^2/2; the slope is that with respect to time."""
+    return 2 * time * time * phi2(-x * time) - 1, 2 * time * phi1(-x * time)
+
+
+def _descent_factor(x, f):
+    residual, slope = _time(x, f)
+    return residual, f * slope
+
+
+def _rise_factor(x, f):
+    """x f = 1 - exp(-tau) = tau - x^2/2, so f is the descent factor less x/2."""
+    residual, slope = _time(x, f + x * 0.5)
+    return residual, f * slope
+
+
+def _fall_factor(x, f):
+    """With w = log(1 + sigma) = sigma - x^2/2: exp(w) - 1 - w = x^2/2, divided by x^2/2, where x lag = w.
+
+    At a root exp(w) = 1 + x f > 1, so w > 0, where the left side rises.
+    """
+    lag = f - x * 0.5
+    return 2 * lag * lag * phi2(x * lag) - 1, 2 * f * lag * phi1(x * lag)
+
+
+def _flight_factor(x, f):
+    """T = (1 + x)(1 - exp(-T)) is 1 = (1 + x) phi1(-T) or, as phi1(-T) = 1 - T phi2(-T), x phi1(-T) = T phi2(-T)."""
+    T = 2 * x * f
+    return 2 * f * phi2(-T) - phi1(-T), 2 * f * (1 + x) * phi1_slope(-T)
+
+
+def _range_factor(x, f):
+    """1 - exp(-T) = T/(1 + x): the flight factor over 1 + x."""
+    return _flight_factor(x, (1 + x) * f)
+
+
+def _best_sine(x, f):
+    """exp(s) = 1 + y with y = x/f turns 1 + (s - 1) exp(s) = x^2 into (1 + y) log(1 + y) - y = (f y)^2."""
+    y = x / f
+    return 1 - log_lag(y) / (f * f), log_mean(y) / (f * f)
+
+
+def _best_angle(x, f):
+    """The sine of f is the best sine; the slope keeps its sign for 0 < f < pi/2."""
+    sine = sin(f)
+    residual, slope = _best_sine(x, sine)
+    return residual, slope * f * cos(f) / sine
+
+
+def _max_range_factor(x, f):
+    """(1 + s) exp(-s) = 1 - (x f)^2 and (x^2 - 1) exp(-s) = s - 1 give s^2 = x^2 + (1 - x^2)(x f)^2 as product.
+
+    That s, which the quotient of the two then satisfies, is put into the first, divided by x^2. As
+    (1 - x^2) exp(-s) <= 1 the slope is at least f^2.
+    """
+    square = 1 + (1 - x * x) * f * f
+    s = x * sqrt(square)
+    return square * phi1_slope(-s) - f * f, f * f * (2 - (1 - x * x) * exp(-s))
+
+
+def _w0_ratio(x, f):
+    """f = W/X = exp(-W) with X = (x^2/2 - 1)/e; v = 1 + W: 1 + (v - 1) exp(v) = x^2/2, whose root rises with v.
+
+    v < 0, the other branch, would make x < 0.
+    """
+    v = 1 - log(f)
+    root = sqrt(2 * phi1_slope(v))
+    return v * root - x, exp(v) / root
+
+
+EQUATIONS = {
+    "phi1m": Equation(_phi1m),
+    "phi2m": Equation(_phi2m),
+    "descent_factor": Equation(_descent_factor, least=1),  # x^2/2 = tau - 1 + exp(-tau) <= tau^2/2
+    "flight_factor": Equation(_flight_factor),
+    "range_factor": Equation(_range_factor),
+    "best_sine": Equation(_best_sine),
+    "best_angle": Equation(_best_angle, below=1.5),
+    "max_range_factor": Equation(_max_range_factor),
+    "w0_ratio": Equation(_w0_ratio),
+    "rise_factor": Equation(_rise_factor),
+    "fall_factor": Equation(_fall_factor, least=1),  # x^2/2 = sigma - log(1 + sigma) <= sigma^2/2
+}

@@ -1,0 +1,216 @@
+"""Proved bounds of the approximation error: above every sample, close to it, and not to be had for what is wrong."""
+
+from dataclasses import replace
+from fractions import Fraction
+from math import ulp
+from pathlib import Path
+
+import pytest
+from closed_forms import CLOSED_FORMS, closed_form
+from flint import arb, arb_poly
+from mpmath import cos, mp, mpf, pi
+
+from galileo_sym.primitives.approximations import APPROXIMATIONS, coefficients
+from galileo_sym.verify.proof.approximation import Unproved, approximation_bound, piece_bounds
+from galileo_sym.verify.proof.approximation_calculus import (
+    analytic,
+    largest,
+    precision,
+    quotient_bound,
+    span,
+)
+from galileo_sym.verify.proof.approximation_equations import EQUATIONS, Equation
+from galileo_sym.verify.proof.approximation_far import FAR_FORMS, far_bound
+from galileo_sym.verify.proof.approximation_functions import NotAnalytic, log, phi1, phi2, sqrt
+from galileo_sym.verify.proof.emitted import read
+from galileo_sym.verify.proof.pieces import Piece
+
+KERNELS = Path(__file__).parents[2] / "generated/c/galileo_kernels.h"
+CONTINUED = {"flight_tail": "flight_factor", "range_tail": "range_factor"}
+CLAIM = 2.0**-57
+SAMPLES = 18
+CLOSE = 8
+
+
+def _number(value):
+    return mpf(value.numerator) / value.denominator
+
+
+def _committed(bank):
+    """The pieces of the committed coefficients, which are made for primitives that are not emitted yet, too."""
+    partition = APPROXIMATIONS[bank].partition
+    found = []
+    for i, piece in enumerate(coefficients(bank)):
+        c0, c0_lo, c1, c1_lo, *others = map(Fraction, piece.coefficients)
+        lower, upper = map(Fraction, partition.bounds(i))
+        found.append(Piece(i, lower, upper, Fraction(piece.centre), (c0 + c0_lo, c1 + c1_lo, *others)))
+    return found
+
+
+def _sampled(name, piece):
+    """The largest relative error seen on a piece, and the least and largest value."""
+    lower, upper = _number(piece.lower), _number(piece.upper)
+    polynomial = [_number(c) for c in reversed(piece.coefficients)]
+    errors, values = [], []
+    for j in range(SAMPLES):
+        x = (lower + upper) / 2 + (upper - lower) / 2 * cos(pi * (j + mpf(1) / 2) / SAMPLES)
+        values.append(closed_form(name, x))
+        errors.append(abs(mp.polyval(polynomial, x - _number(piece.centre)) / values[-1] - 1))
+    return max(errors), min(values), max(values)
+
+
+@pytest.mark.parametrize("bank", sorted(APPROXIMATIONS))
+def test_bound_is_above_a_sample_at_60_digits_and_close_to_it(bank):
+    name, polynomials = CONTINUED.get(bank, bank), _committed(bank)
+    bounds = piece_bounds(name, polynomials)
+    assert len(bounds) == len(polynomials) == 16
+    for piece, bound in zip(polynomials, bounds, strict=True):
+        with mp.workdps(60):
+            error, least, most = _sampled(name, piece)
+        assert error <= bound.relative <= CLOSE * error
+        assert bound.relative < CLAIM
+        assert bound.smallest <= least
+        assert most <= bound.largest
+        assert bound.largest <= 1.01 * most * (1 + (most - least) / least)
+
+
+def test_emitted_tables_are_judged_as_parsed():
+    emitted = read(KERNELS)
+    bounds = approximation_bound("flight_factor", emitted, "flight_tail")
+    assert [bound.piece for bound in bounds] == list(range(16))
+    assert all(bound.relative < CLAIM for bound in bounds)
+    assert bounds[0].low <= 15
+    assert bounds[-1].high >= 255
+    with pytest.raises(Unproved, match="flight_tail"):
+        approximation_bound("flight_tail", emitted)
+
+
+def _point(name, x):
+    """A very short piece around x, with the closed form's value there for its polynomial."""
+    with mp.workdps(40):
+        value = Fraction(str(closed_form(name, mpf(x))))
+    short = Fraction(1, 2**120)
+    return Piece(0, Fraction(x) - short, Fraction(x) + short, Fraction(x), (value,))
+
+
+@pytest.mark.parametrize("name", sorted(EQUATIONS))
+@pytest.mark.parametrize("x", [2.0**-6, 1.25, 40.0])
+def test_every_equation_has_its_primitive_as_root(name, x):
+    assert name in CLOSED_FORMS
+    (bound,) = piece_bounds(name, [_point(name, x)])
+    assert bound.relative < 2.0**-115
+
+
+@pytest.mark.parametrize("name", sorted(EQUATIONS))
+@pytest.mark.parametrize("wrong", [Fraction(1, 2**30), Fraction(-1, 2**30), Fraction(1, 2), Fraction(-2)])
+def test_no_other_value_passes(name, wrong):
+    piece = _point(name, 1.25)
+    with pytest.raises(Unproved):
+        piece_bounds(name, [replace(piece, coefficients=(piece.coefficients[0] * (1 + wrong),))])
+
+
+def test_the_other_root_is_refused():
+    angle, short = _point("best_angle", 1.25), _point("w0_ratio", 1.25)
+    with mp.workdps(40):
+        beyond = Fraction(str(pi)) - angle.coefficients[0]
+        lower_branch = Fraction(str(mp.exp(-mp.lambertw((mpf(1.25) ** 2 / 2 - 1) / mp.e, -1).real)))
+    with pytest.raises(Unproved, match="interval in which the root is unique"):
+        piece_bounds("best_angle", [replace(angle, coefficients=(beyond,))])
+    with pytest.raises(Unproved, match="is needed"):
+        piece_bounds("w0_ratio", [replace(short, coefficients=(lower_branch,))])
+
+
+@pytest.mark.parametrize("name", ["descent_factor", "range_factor", "w0_ratio"])
+@pytest.mark.parametrize(("power", "ulps"), [(0, 1), (1, 2**4), (2, 2**9), (3, 2**14)])
+def test_last_bits_of_a_coefficient_count(name, power, ulps):
+    for piece in _committed(name)[4::4]:
+        (before,) = piece_bounds(name, [piece])
+        changed = list(piece.coefficients)
+        step = Fraction(ulp(float(changed[power]))) * ulps
+        changed[power] += step
+        (after,) = piece_bounds(name, [replace(piece, coefficients=tuple(changed))])
+        reach = float(step * ((piece.upper - piece.lower) / 2) ** power) / before.largest
+        assert after.relative >= reach - before.relative
+        assert after.relative > CLAIM
+
+
+def test_a_dropped_low_part_is_noticed():
+    polynomials, made = _committed("descent_factor")[1:], coefficients("descent_factor")[1:]
+    low = [Fraction(piece.coefficients[1]) for piece in made]
+    weakened = [
+        replace(piece, coefficients=(piece.coefficients[0] - dropped, *piece.coefficients[1:]))
+        for piece, dropped in zip(polynomials, low, strict=True)
+    ]
+    bounds = piece_bounds("descent_factor", weakened)
+    assert all(bound.relative >= abs(dropped) / 2 / bound.largest for bound, dropped in zip(bounds, low, strict=True))
+    assert sum(bound.relative > CLAIM for bound in bounds) > 10
+
+
+def test_pieces_that_change_places_are_refused():
+    first, second = _committed("phi1m")[3:5]
+    with pytest.raises(Unproved, match="phi1m, piece 3"):
+        piece_bounds("phi1m", [replace(first, coefficients=second.coefficients)])
+
+
+def test_a_wrong_equation_is_noticed(monkeypatch):
+    polynomials = _committed("flight_factor")
+    with pytest.raises(Unproved):
+        piece_bounds("range_factor", polynomials)
+
+    def slightly_wrong(x, f):
+        residual, slope = EQUATIONS["phi1m"].terms(x, f)
+        return residual * (1 + 2.0**-20) - phi2(-x) * 2.0**-50, slope
+
+    monkeypatch.setitem(EQUATIONS, "flight_factor", Equation(slightly_wrong))
+    with pytest.raises(Unproved):
+        piece_bounds("flight_factor", polynomials)
+    monkeypatch.setitem(EQUATIONS, "phi1m", Equation(lambda x, f: (f - phi1(-x) - phi2(-x) * 2.0**-52, f)))
+    assert all(bound.relative > 2.0**-54 for bound in piece_bounds("phi1m", _committed("phi1m")))
+
+
+def _far_error(name, x):
+    form = sum(_number(c) * x**power for power, c in FAR_FORMS[name].terms.items())
+    return abs(form / closed_form(name, x) - 1)
+
+
+@pytest.mark.parametrize("name", sorted(FAR_FORMS))
+def test_far_bound_holds_from_its_beginning_on_and_is_close_there(name):
+    with mp.workdps(90):
+        for begin in (5, Fraction(75, 8)):
+            bound, errors = far_bound(name, begin), [_far_error(name, _number(begin) * k) for k in (1, 1.25, 2)]
+            assert max(errors) == errors[0] <= bound <= 2 * errors[0]
+    with pytest.raises(ValueError, match="x > 1"):
+        far_bound(name, Fraction(1))
+
+
+def _line(at_zero, slope):
+    return arb_poly([at_zero, slope])
+
+
+def test_tails_are_above_what_is_left_out():
+    with precision():
+        found = analytic(lambda u: phi1(1 / (u + 2.5)) + sqrt(u + 3), _line(0, 1))
+        for u in (-1, -0.5, 0.25, 1):
+            w = 1 / (arb(u) + 2.5)
+            missing = (w.exp() - 1) / w + (arb(u) + 3).sqrt() - found.polynomial(arb(u))
+            assert abs(missing) <= found.tail
+        assert found.tail < 2.0**-80
+
+
+@pytest.mark.parametrize("formula", [lambda u: 1 / (u + 1.25), lambda u: log(u + 1.25), lambda u: sqrt(u + 1.25)])
+def test_a_singularity_near_the_piece_is_refused(formula):
+    with precision(), pytest.raises(NotAnalytic):
+        analytic(formula, _line(0, 1))
+
+
+def test_quotients_and_spans_are_bounded():
+    with precision():
+        u = _line(0, 1)
+        top, bottom = analytic(lambda u: u * u - u, u), analytic(lambda u: u + 3, u)
+        assert 1 <= quotient_bound(top, bottom) <= 2
+        assert quotient_bound(bottom, top) is None
+        assert 2 <= largest(top.polynomial) <= 2.01
+        low, high = span(top.polynomial)
+        assert low <= -0.25
+        assert high >= 2
+        assert span(bottom.polynomial) == (2, 4)
