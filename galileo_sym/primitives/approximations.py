@@ -1,7 +1,7 @@
 """What is approximated by polynomials on pieces: the function, the offset of its partition, the degree.
 
 The offset is about the distance from 0 of the nearest singularity, and the last piece ends where the terms that the
-form beyond it leaves out are below 2^-60.
+form beyond it leaves out are below 2^-60. Where the offset is 0 the pieces are those of x itself, from some x > 0 on.
 """
 
 from dataclasses import dataclass
@@ -29,11 +29,12 @@ class Approximation:
     degree: int
     doc: str
     start: int = 0
+    fraction_bits: int = 2
 
     @property
     def partition(self):
         """The pieces."""
-        return Partition(self.offset, self.start)
+        return Partition(self.offset, self.start, self.fraction_bits)
 
 
 def _of(name, sign=1):
@@ -41,10 +42,16 @@ def _of(name, sign=1):
 
 
 def _w0_ratio(q):
-    """W0(x)/x at x = (q^2/2 - 1)/e: smooth at the branch point q = 0, and at x = 0."""
+    """W0(x)/x at x = q^2 - 1/e: smooth at the branch point q = 0, and at x = 0."""
     with mp.extradps(30):
-        x = (q * q / 2 - 1) / mp.e
-        value = mp.exp(-mp.lambertw(x).real)
+        value = mp.exp(-mp.lambertw(q * q - 1 / mp.e).real)
+    return +value
+
+
+def _wm1_branch(q):
+    """-W-1(x) at x = q^2 - 1/e: smooth at the branch point q = 0."""
+    with mp.extradps(30):
+        value = -mp.lambertw(q * q - 1 / mp.e, -1).real if q else mpf(1)
     return +value
 
 
@@ -60,6 +67,29 @@ def _fall_factor(p):
     return +value
 
 
+def _fall_log(y):
+    """log(1 + sigma), sigma - log(1 + sigma) = exp(y): so close to y for large y that sigma is exp(y) + this."""
+    with mp.extradps(30):
+        p = mp.sqrt(2 * mp.exp(y))
+        value = mp.log1p(p * _fall_factor(p))
+    return +value
+
+
+def _max_range_factor(a):
+    """sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, where the best sine is a/(exp(s) - 1)."""
+    if not a:
+        return mpf(1)
+    with mp.extradps(30):
+        y = a / mp_value("best_sine", a)
+        value = mp.sqrt((y - mp.log1p(y)) / (1 + y)) / a
+    return +value
+
+
+def _first(value, fraction_bits):
+    """Return the number of the piece that begins at a value, where the offset is 0."""
+    return Partition(0.0, 0, fraction_bits).number(value)
+
+
 APPROXIMATIONS = {
     approximation.name: approximation
     for approximation in (
@@ -72,9 +102,16 @@ APPROXIMATIONS = {
         Approximation("range_tail", _of("range_factor"), 1.0, 14, "range_factor, continued", COUNT),
         Approximation("best_sine", _of("best_sine"), 1.0, 13, "a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2"),
         Approximation("best_angle", _of("best_angle"), 1.0, 13, "asin(a/(exp(s) - 1)), 1 + (s - 1) exp(s) = a^2"),
-        Approximation("w0_ratio", _w0_ratio, 1.5, 16, "W0(x)/x, x = (q^2/2 - 1)/e"),
+        Approximation("max_range_factor", _max_range_factor, 1.0, 15, "sqrt(1 - (1 + s) exp(-s))/a, s as in best_sine"),
+        Approximation("w0_ratio", _w0_ratio, 0.625, 15, "W0(x)/x, x = q^2 - 1/e"),
+        Approximation("wm1_branch", _wm1_branch, 1.0, 9, "-W-1(x), x = q^2 - 1/e", fraction_bits=6),
         Approximation("rise_factor", _rise_factor, 0.625, 16, "(1 - exp(-tau))/p, tau - 1 + exp(-tau) = p^2/2"),
         Approximation("fall_factor", _fall_factor, 1.0, 12, "sigma/p, sigma - log(1 + sigma) = p^2/2"),
+        Approximation("fall_tail", _fall_factor, 1.0, 13, "fall_factor, continued", COUNT),
+        Approximation("fall_log", _fall_log, 0.0, 13, "log(1 + sigma), sigma - log(1 + sigma) = e^y", _first(4.0, 2)),
+        Approximation("log", mp.log, 0.0, 9, "log(m)", _first(2.0, 4), 4),
+        Approximation("omega", _of("wright_omega"), 0.0, 15, "w with w + log(w) = y", _first(4.0, 1), 1),
+        Approximation("omega_tail", _of("wright_omega"), 0.0, 14, "omega, continued", _first(768.0, 1), 1),
     )
 }
 

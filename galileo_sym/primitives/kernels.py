@@ -9,7 +9,6 @@ IEEE binary64: ``add``, ``sub``, ``mul``, ``div``, ``fma``, ``fnma(a, b, c)`` = 
 from dataclasses import dataclass
 
 from galileo_sym.primitives.approximations import APPROXIMATIONS, coefficients
-from galileo_sym.primitives.pieces import DROP
 
 LARGEST = float.fromhex("0x1.fffffffffffffp+1023")
 
@@ -58,7 +57,7 @@ def near_lines(bank, paired):
     partition, degree = APPROXIMATIONS[bank].partition, APPROXIMATIONS[bank].degree
     lines = [
         Line("u", "add", ("x", partition.offset)),
-        Line("i", "piece", ("u", partition.first, DROP)),
+        Line("i", "piece", ("u", partition.first, partition.drop)),
         Line("d", "sub", ("x", ("pick", "centre"))),
         Line(f"q{degree}", "pick", (("pick", f"c{degree}"),)),
     ]

@@ -12,8 +12,6 @@ from dataclasses import dataclass
 from mpmath import mp, mpf
 
 COUNT = 16
-FRACTION_BITS = 2  # pieces in a binade of x + offset: 4
-DROP = 52 - FRACTION_BITS
 _DIGITS = 60
 _CHECKS = 9
 
@@ -31,20 +29,33 @@ def _double(bits):
 class Partition:
     """The pieces that an offset gives; the offset lies on the grid of leading bits, so that piece 0 starts at 0.
 
-    ``start`` is the number of the first of the `COUNT` pieces, for what continues another partition.
+    ``start`` is the number of the first of the `COUNT` pieces, for what does not start at 0;
+    a binade of x + offset has 2^``fraction_bits`` pieces.
     """
 
     offset: float
     start: int = 0
+    fraction_bits: int = 2
 
     def __post_init__(self):
-        if bits_of(self.offset) % (1 << DROP):
-            raise ValueError(f"offset {self.offset} must have no more than {FRACTION_BITS} bits after the leading one")
+        if bits_of(self.offset) % (1 << self.drop):
+            raise ValueError(
+                f"offset {self.offset} must have no more than {self.fraction_bits} bits after the leading one"
+            )
+
+    @property
+    def drop(self):
+        """How many of the last bits of x + offset the number of its piece does not depend on."""
+        return 52 - self.fraction_bits
 
     @property
     def first(self):
         """Leading bits of the first piece, subtracted to get the index."""
-        return (bits_of(self.offset) >> DROP) + self.start
+        return self.number(self.offset) + self.start
+
+    def number(self, shifted):
+        """Leading bits of x + offset, counted on through all positive doubles."""
+        return bits_of(shifted) >> self.drop
 
     @property
     def begin(self):
@@ -58,7 +69,7 @@ class Partition:
 
     def bounds(self, index):
         """Return (lower, upper), exact doubles."""
-        lower, upper = (_double((self.first + i) << DROP) - self.offset for i in (index, index + 1))
+        lower, upper = (_double((self.first + i) << self.drop) - self.offset for i in (index, index + 1))
         return lower, upper
 
     def centre(self, index):

@@ -19,7 +19,7 @@ def test_a_piece_is_found_by_the_leading_bits(name):
     for index in range(COUNT):
         lower, upper = partition.bounds(index)
         for x in (lower, rng.uniform(lower, upper), upper - (upper - lower) * 2**-40):
-            assert (pieces.bits_of(x + partition.offset) >> pieces.DROP) - partition.first == index
+            assert (pieces.bits_of(x + partition.offset) >> partition.drop) - partition.first == index
         assert index == 0 or partition.bounds(index - 1)[1] == lower
         assert lower <= partition.centre(index) < upper
 

@@ -1,6 +1,6 @@
 """The primitives in closed form, by mpmath's W: the proof of the approximations has no W and is tried against them."""
 
-from mpmath import asin, e, exp, expm1, lambertw, mp, sqrt
+from mpmath import asin, e, exp, expm1, lambertw, log, log1p, mp, sqrt
 
 GUARD_DIGITS = 50  # W of what is close to -1/e, and expm1 less its argument, lose up to 30
 
@@ -30,9 +30,13 @@ CLOSED_FORMS = {
     "best_sine": lambda a: a / expm1(_best_s(a)),
     "best_angle": lambda a: asin(a / expm1(_best_s(a))),
     "max_range_factor": lambda a: sqrt(1 - (1 + _best_s(a)) * exp(-_best_s(a))) / a,
-    "w0_ratio": lambda q: exp(-lambertw((q * q / 2 - 1) / e).real),
+    "w0_ratio": lambda q: exp(-lambertw(q * q - 1 / e).real),
     "rise_factor": lambda p: -expm1(-_tau(p)) / p,
     "fall_factor": lambda p: _sigma(p) / p,
+    "wm1_branch": lambda q: -lambertw(q * q - 1 / e, -1).real,
+    "fall_log": lambda y: log1p(_sigma(sqrt(2 * exp(y)))),
+    "log": log,
+    "omega": lambda y: lambertw(exp(y)).real,
 }
 
 

@@ -7,6 +7,8 @@ the root is unique, and a polynomial in place of f is judged by its residual alo
 
 from dataclasses import dataclass
 
+from flint import arb
+
 from galileo_sym.verify.proof.approximation_functions import (
     cos,
     exp,
@@ -108,14 +110,38 @@ def _max_range_factor(x, f):
     return square * phi1_slope(-s) - f * f, f * f * (2 - (1 - x * x) * exp(-s))
 
 
+def _offset_root(v, sign):
+    """Return sqrt(2 (1 + (v - 1) exp(v))) with a sign, and its derivative: it rises with v through 0."""
+    root = sqrt(2 * phi1_slope(v))
+    return sign * v * root, exp(v) / root
+
+
 def _w0_ratio(x, f):
-    """f = W/X = exp(-W) with X = (x^2/2 - 1)/e; v = 1 + W: 1 + (v - 1) exp(v) = x^2/2, whose root rises with v.
+    """f = W/X = exp(-W) with X = x^2 - 1/e, v = 1 + W: 1 + (v - 1) exp(v) = e x^2, whose root rises with v.
 
     v < 0, the other branch, would make x < 0.
     """
-    v = 1 - log(f)
-    root = sqrt(2 * phi1_slope(v))
-    return v * root - x, exp(v) / root
+    root, slope = _offset_root(1 - log(f), 1)
+    return root - (2 * arb(1).exp()).sqrt() * x, slope
+
+
+def _wm1_branch(x, f):
+    """f = -W with X = x^2 - 1/e, v = 1 - f: as for the ratio of the other branch, with x for -x."""
+    root, slope = _offset_root(1 - f, -1)
+    return root - (2 * arb(1).exp()).sqrt() * x, f * slope
+
+
+def _log(x, f):
+    return exp(f) - x, f * exp(f)
+
+
+def _fall_log(x, f):
+    """f = log(1 + sigma) is exp(f) = 1 + exp(x) + f, divided by exp(x); it is convex and 0 < exp(x) at f = 0."""
+    return exp(f - x) - 1 - (1 + f) * exp(-x), f * (exp(f - x) - exp(-x))
+
+
+def _omega(x, f):
+    return f + log(f) - x, f + 1
 
 
 EQUATIONS = {
@@ -130,4 +156,8 @@ EQUATIONS = {
     "w0_ratio": Equation(_w0_ratio),
     "rise_factor": Equation(_rise_factor),
     "fall_factor": Equation(_fall_factor, least=1),  # x^2/2 = sigma - log(1 + sigma) <= sigma^2/2
+    "wm1_branch": Equation(_wm1_branch, least=1),
+    "fall_log": Equation(_fall_log),
+    "log": Equation(_log),
+    "omega": Equation(_omega),
 }
