@@ -7,12 +7,13 @@ from pathlib import Path
 
 import pytest
 from closed_forms import CLOSED_FORMS, closed_form
-from flint import arb, arb_poly
+from flint import acb, arb, arb_poly, arb_series
 from mpmath import cos, mp, mpf, pi
 
 from galileo_sym.primitives.approximations import APPROXIMATIONS, coefficients
 from galileo_sym.verify.proof.approximation import Unproved, approximation_bound, piece_bounds
 from galileo_sym.verify.proof.approximation_calculus import (
+    Analytic,
     analytic,
     largest,
     precision,
@@ -21,7 +22,17 @@ from galileo_sym.verify.proof.approximation_calculus import (
 )
 from galileo_sym.verify.proof.approximation_equations import EQUATIONS, Equation
 from galileo_sym.verify.proof.approximation_far import FAR_FORMS, far_bound
-from galileo_sym.verify.proof.approximation_functions import NotAnalytic, log, phi1, phi2, sqrt
+from galileo_sym.verify.proof.approximation_functions import (
+    Disc,
+    NotAnalytic,
+    log,
+    log_lag,
+    log_mean,
+    phi1,
+    phi1_slope,
+    phi2,
+    sqrt,
+)
 from galileo_sym.verify.proof.emitted import read
 from galileo_sym.verify.proof.pieces import Piece
 
@@ -105,6 +116,33 @@ def test_every_equation_has_its_primitive_as_root(name):
     for x in POINTS.get(name, (2.0**-6, 1.25, 40.0)):
         (bound,) = piece_bounds(name, [_point(name, x)])
         assert bound.relative < 2.0**-115
+
+
+@pytest.mark.parametrize("name", sorted(EQUATIONS))
+@pytest.mark.parametrize("wrong", [Fraction(1, 2**45), Fraction(-1, 2**45)])
+def test_an_error_is_found_in_full_and_the_value_is_enclosed(name, wrong):
+    piece = _point(name, 1.25)
+    (bound,) = piece_bounds(name, [replace(piece, coefficients=(piece.coefficients[0] * (1 + wrong),))])
+    assert abs(wrong) <= bound.relative <= abs(wrong) * (1 + 2.0**-30)
+    assert bound.smallest <= piece.coefficients[0] <= bound.largest
+
+
+@pytest.mark.parametrize("name", ["descent_factor", "fall_factor"])
+def test_least_value_is_one(name):
+    first, second = piece_bounds(name, _committed(name)[:2])
+    assert first.smallest == 1 < second.smallest
+
+
+def test_two_roots_in_the_neighbourhood_are_refused(monkeypatch):
+    apart = 2.0**-42
+
+    def two_roots(x, f):
+        return (f - 1) * (f - 1 - apart), f * (2 * f - 2 - apart)
+
+    monkeypatch.setitem(EQUATIONS, "phi1m", Equation(two_roots))
+    piece = Piece(0, Fraction(0), Fraction(1), Fraction(0), (1 + Fraction(1, 2**60),))
+    with pytest.raises(Unproved, match="not shown to be unique"):
+        piece_bounds("phi1m", [piece])
 
 
 @pytest.mark.parametrize("name", sorted(EQUATIONS))
@@ -207,6 +245,39 @@ def test_tails_are_above_what_is_left_out():
 def test_a_singularity_near_the_piece_is_refused(formula):
     with precision(), pytest.raises(NotAnalytic):
         analytic(formula, _line(0, 1))
+
+
+def test_radii_of_coefficients_count_as_tail():
+    with precision():
+        found = analytic(lambda u: u * 2, _line(arb(0, 2.0**-10), 1))
+        assert found.tail >= 2.0**-9
+        assert all(c.is_exact() for c in found.polynomial.coeffs())
+
+
+def test_a_shortened_series_is_refused():
+    with precision(), pytest.raises(NotAnalytic):
+        analytic(lambda u: u if isinstance(u, Disc) else arb_series(u.coeffs(), 5), _line(2, 1))
+
+
+@pytest.mark.parametrize("mean", [phi1, phi2, phi1_slope, log_mean, log_lag])
+@pytest.mark.parametrize("centre", [-0.125, 0.0, 0.5, 3.0])
+def test_an_average_holds_its_closed_form(mean, centre):
+    with precision():
+        values = mean(Disc(_line(centre, 0.125), 2)).ball()
+        for direction in (acb(1), acb(0, 1), acb(-0.6, 0.8)):
+            w = centre + direction / 4
+            assert values.contains(mean.closed(Disc(w, 2)).ball())
+
+
+def test_tails_enter_quotients():
+    def constant(value, tail):
+        return Analytic(arb_poly([value]), arb(tail))
+
+    with precision():
+        assert quotient_bound(constant(0, 1), constant(2, 0)) >= 0.5
+        assert quotient_bound(constant(3, 0), constant(2, 1)) >= 3
+        assert quotient_bound(constant(1, 0), constant(-2, 1)) >= 1
+        assert quotient_bound(constant(1, 0), constant(1, 1)) is None
 
 
 def test_quotients_and_spans_are_bounded():
