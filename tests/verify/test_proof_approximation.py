@@ -121,13 +121,13 @@ def test_every_equation_has_its_primitive_as_root(name):
 @pytest.mark.parametrize("name", sorted(EQUATIONS))
 @pytest.mark.parametrize("wrong", [Fraction(1, 2**45), Fraction(-1, 2**45)])
 def test_an_error_is_found_in_full_and_the_value_is_enclosed(name, wrong):
-    piece = _point(name, 1.25)
+    piece = _point(name, POINTS.get(name, (1.25,))[-1])
     (bound,) = piece_bounds(name, [replace(piece, coefficients=(piece.coefficients[0] * (1 + wrong),))])
     assert abs(wrong) <= bound.relative <= abs(wrong) * (1 + 2.0**-30)
     assert bound.smallest <= piece.coefficients[0] <= bound.largest
 
 
-@pytest.mark.parametrize("name", ["descent_factor", "fall_factor"])
+@pytest.mark.parametrize("name", ["descent_factor", "fall_factor", "wm1_branch"])
 def test_least_value_is_one(name):
     first, second = piece_bounds(name, _committed(name)[:2])
     assert first.smallest == 1 < second.smallest
