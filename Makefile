@@ -32,6 +32,12 @@ tables: install ## fit the primitives' coefficients again; the same bytes unless
 coverage: install ## hold docs/coverage.md against a run of every derivation
 	$(BIN)/python tools/coverage_page.py
 
+prove: install ## prove the error bounds of the primitives from the emitted C, and write them down
+	$(BIN)/python -m galileo_sym.verify.proof
+
+prove-check: install ## refuse proved bounds that are of another C
+	$(BIN)/python -m galileo_sym.verify.proof --check
+
 lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
@@ -47,4 +53,4 @@ clean: ## remove what is made: .venv, build/, caches
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 help: ## list the targets
-	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "make %-9s %s\n", $$1, $$2}'
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "make %-11s %s\n", $$1, $$2}'

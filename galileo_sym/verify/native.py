@@ -132,17 +132,42 @@ class NativeLibrary:
         CompilationError
             If the library has no such function.
         """
-        symbol = c_symbol(function, force_set)
+        inputs = [np.ascontiguousarray(arguments[name], dtype=float) for name in function.arguments(force_set)]
+        outputs = [np.full(inputs[0].shape, np.nan) for _ in function.outputs]
+        self._call(c_symbol(function, force_set), inputs, outputs)
+        return tuple(outputs)
+
+    def primitive(self, name, x):
+        """Results of the array form of a one-variable function.
+
+        Parameters
+        ----------
+        name : str
+            Such as "descent_factor".
+        x : ndarray
+
+        Returns
+        -------
+        ndarray
+
+        Raises
+        ------
+        CompilationError
+            If the library has no such function.
+        """
+        x = np.ascontiguousarray(x, dtype=float)
+        value = np.full(x.shape, np.nan)
+        self._call(f"gs_special_{name}_n", [x], [value])
+        return value
+
+    def _call(self, symbol, inputs, outputs):
         try:
             routine = getattr(self._library, symbol)
         except AttributeError:
             raise CompilationError(f"the emitted C has no function {symbol}; run `galileo-sym emit`") from None
         routine.restype = None
-        inputs = [np.ascontiguousarray(arguments[name], dtype=float) for name in function.arguments(force_set)]
-        outputs = [np.full(inputs[0].shape, np.nan) for _ in function.outputs]
         pointers = [array.ctypes.data_as(ctypes.c_void_p) for array in (*inputs, *outputs)]
         routine(ctypes.c_size_t(inputs[0].size), *pointers)
-        return tuple(outputs)
 
 
 def c_symbol(function, force_set):

@@ -37,14 +37,16 @@ class Symbols:
 
     def range(self, expansion):
         """Return bounds of an expansion, term by term."""
-        low = high = Fraction(0)
+        low = high = either = Fraction(0)
         for (power, symbols), coefficient in expansion.terms.items():
-            ends = [coefficient * end for end in self.range_of_power(power)]
+            least, greatest = self.range_of_power(power)
             if symbols:
-                size = max(map(abs, ends)) * prod(self.bounds[number] for number in symbols)
-                ends = [-size, size]
-            low, high = low + min(ends), high + max(ends)
-        return low, high
+                either += abs(coefficient) * max(-least, greatest) * prod(map(self.bounds.get, symbols))
+            elif coefficient > 0:
+                low, high = low + coefficient * least, high + coefficient * greatest
+            else:
+                low, high = low + coefficient * greatest, high + coefficient * least
+        return low - either, high + either
 
     def largest(self, expansion):
         """Return a bound of the absolute value."""

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from fractions import Fraction
 
-from .binary64 import LARGEST, exponent, power, ulp
+from .binary64 import DIGITS, LARGEST, exponent, grid, power, ulp
 from .emitted import RefusedSource
 from .expansion import Expansion, Symbols
 from .pieces import NEAR, PREFIX, lookup, pieces
@@ -16,7 +16,7 @@ class Rounding:
 
     value: what the operations before the last one have done to the result; last: whether that one rounds, too;
     pair: the error of hi + lo, or of hi where there is no lo; least and largest: bounds of the absolute value of the
-    form that is evaluated, without rounding errors; terms: that form, {power of d, or of x beyond the end: coefficient}.
+    form that is evaluated, without rounding errors; terms: that form, {power of d (of x beyond the end): coefficient}.
     """
 
     lower: Fraction
@@ -63,6 +63,9 @@ def _over(symbols, replay, exact, lower, upper):
 def _on_piece(emitted, function, piece):
     """Return the bounds on one piece of a function."""
     symbols = Symbols(piece.d_lower, piece.d_upper)
+    step = min(ulp(piece.lower), grid(piece.centre) or piece.upper)
+    if piece.centre and max(abs(piece.d_lower), abs(piece.d_upper)) > step * 2**DIGITS:
+        raise Unproved(f"{function.name}, piece {piece.index}: x - centre is not proved exact")
     known = _argument(piece, symbols)
     if not set(function.parameters) <= set(known):
         raise RefusedSource(f"{function.name} takes {', '.join(function.parameters)}, where x and x_lo are known")
@@ -70,9 +73,6 @@ def _on_piece(emitted, function, piece):
     picked = {table: values[piece.index] for table, values in emitted.tables.items() if piece.index < len(values)}
     replay = Replay(function, symbols, parameters, picked, lookup(function)[0])
     argument = Expansion.argument()
-    centres = [name for name, value in replay.values.items() if value.rounded.terms == argument.terms]
-    if not centres:
-        raise Unproved(f"{function.name}, piece {piece.index}: x - centre is not proved exact")
     if "x_lo" in parameters:
         argument += parameters["x_lo"].rounded
     exact = _polynomial(piece.coefficients, argument)

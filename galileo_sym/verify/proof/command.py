@@ -1,0 +1,187 @@
+"""`python -m galileo_sym.verify.proof`: prove the bounds from the emitted C, or hold the committed ones against it."""
+
+import argparse
+import hashlib
+import sys
+
+from galileo_sym.files import write_whole
+from galileo_sym.verify.native import CompilationError, NativeLibrary, NoCompilerError
+
+from . import table
+from .approximation import Unproved as UnprovedApproximation
+from .binary64 import Overflow
+from .bounds import prove
+from .dispatch import primitives
+from .emitted import RefusedSource, parse
+from .meanings import require_meanings
+from .references import NoReference
+from .replay import Unproved
+from .samples import errors, points
+
+FAILURES = (RefusedSource, Unproved, UnprovedApproximation, Overflow, NoReference, CompilationError)
+
+
+def _sources(folder):
+    """Return the texts of the C that is proved, by name."""
+    return {name: (folder / name).read_bytes().decode() for name in table.SOURCES}
+
+
+def _hashes(sources):
+    return {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()}
+
+
+def _parsed(sources):
+    kernels, vector = (sources[name] for name in table.SOURCES)
+    require_meanings(vector)
+    return parse(kernels)
+
+
+def _over_limit(name, record):
+    return [
+        f"{name}: {row['function']}, piece {row['piece']}: {row['total']} ulp, more than the {table.LIMIT} allowed"
+        for row in record["rows"]
+        if not row["total"] <= table.LIMIT
+    ]
+
+
+def stale(known, folder, page):
+    """Say what is wrong with the committed bounds, without proving them anew.
+
+    Parameters
+    ----------
+    known : dict or None
+        The content of proofs.json.
+    folder : Path
+        The emitted code.
+    page : str
+        The text of docs/proofs.md.
+
+    Returns
+    -------
+    list of str
+        One line a fault: another C file, a primitive without a bound, a bound above the limit, another page.
+    """
+    if known is None:
+        return ["there is no table of proved bounds"]
+    sources = _sources(folder)
+    faults = [
+        f"{name} has changed since its bounds were proved"
+        for name, sha256 in _hashes(sources).items()
+        if known["sha256"].get(name) != sha256
+    ]
+    served, proved = set(primitives(_parsed(sources))), known["primitives"]
+    faults += [f"{name} has no proved bound" for name in sorted(served - set(proved))]
+    faults += [f"{name} is proved and not emitted" for name in sorted(set(proved) - served)]
+    faults += [fault for name, record in proved.items() for fault in _over_limit(name, record)]
+    if page != table.page(known):
+        faults.append("docs/proofs.md does not show the committed bounds")
+    return faults
+
+
+def refuted(name, served, bound, library, count, seed):
+    """Hold a proved bound against samples.
+
+    Parameters
+    ----------
+    name : str
+        The primitive.
+    served : Served
+        What serves it.
+    bound : float
+        In ulps.
+    library : NativeLibrary
+        The compiled primitives.
+    count, seed : int
+        Of the draw.
+
+    Returns
+    -------
+    tuple
+        The largest error found, and a list of one line if it is more than the bound, else none.
+    """
+    x = points(served, count, seed)
+    worst, at = max(zip(errors(name, x, library.primitive(name, x)), x, strict=True))
+    lines = [f"{name}: {worst} ulp at {float(at).hex()}, where {bound} was proved"]
+    return worst, lines if not worst <= bound else []
+
+
+def _library(folder):
+    try:
+        return NativeLibrary(folder / "c")
+    except NoCompilerError as cause:
+        print(f"no samples: {cause}")
+        return None
+
+
+def _proved(emitted, names, folder, count, seed):
+    """Prove and sample; return the records by name and the lines of what failed."""
+    records, faults, library = {}, [], _library(folder)
+    for name in names:
+        try:
+            records[name] = record = table.entry(prove(emitted, name))
+            faults += _over_limit(name, record)
+            shown = f"{name:16} {record['total']:.4f} ulp proved"
+            if library:
+                worst, lines = refuted(name, primitives(emitted)[name], record["total"], library, count, seed)
+                faults += lines
+                shown += f", >= {worst:.4f} sampled"
+            print(shown, flush=True)
+        except FAILURES as cause:
+            faults.append(f"{name}: {cause}")
+    return records, faults
+
+
+def _arguments(argv):
+    parser = argparse.ArgumentParser(prog="python -m galileo_sym.verify.proof", description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="primitives to prove, writing nothing; all by default")
+    parser.add_argument("--check", action="store_true", help="hold the committed bounds against the emitted C")
+    parser.add_argument("--points", type=int, default=1000, help="samples of each primitive (default: %(default)s)")
+    parser.add_argument("--seed", type=int, default=1, help="of the samples (default: %(default)s)")
+    chosen = parser.parse_args(argv)
+    if chosen.check and chosen.names:
+        parser.error("--check is of the whole table: leave the names out")
+    if chosen.points < 4:
+        parser.error("--points: four at least")
+    return parser, chosen
+
+
+def main(argv=None):
+    """Run the command.
+
+    Parameters
+    ----------
+    argv : list of str, optional
+        Arguments; those of the process by default.
+
+    Returns
+    -------
+    int
+        0 if all is proved (with --check: if the committed bounds are of this C), 1 if not; usage errors exit with 2.
+    """
+    parser, chosen = _arguments(argv)
+    folder, page = table.folder(), table.page_path()
+    try:
+        if chosen.check:
+            text = page.read_text(encoding="utf-8") if page.is_file() else ""
+            return _said(stale(table.read(), folder, text), "prove anew: make prove")
+        sources = _sources(folder)
+        emitted = _parsed(sources)
+        known = list(primitives(emitted))
+        if unknown := [name for name in chosen.names if name not in known]:
+            parser.error(f"no primitive {', '.join(unknown)}; there are {', '.join(known)}")
+        records, faults = _proved(emitted, chosen.names or known, folder, chosen.points, chosen.seed)
+    except FAILURES as cause:
+        return _said([str(cause)], "nothing is proved")
+    if not faults and not chosen.names:
+        write_whole(table.json_path(), table.content(_hashes(sources), records).encode())
+        write_whole(page, table.page(table.read()).encode())
+    return _said(faults, "nothing was written")
+
+
+def _said(faults, advice):
+    """Print what failed, and return the exit code."""
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    if faults:
+        print(advice, file=sys.stderr)
+    return 1 if faults else 0
