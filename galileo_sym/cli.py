@@ -92,6 +92,7 @@ def parser() -> argparse.ArgumentParser:
     verify.add_argument("--seed", type=int, metavar="S", help="of the sample")
     verify.add_argument("--stratum", action="append", default=[], metavar="NAME", help="only these strata")
     verify.add_argument("--update", action="store_true", help="renew the certificates")
+    verify.add_argument("--typed-in", action="store_true", help="beside it, the printed formulas by lambdify and SciPy")
 
     everything = commands.add_parser("all", help="derive, emit, verify", allow_abbrev=False)
     for command in (derive, everything):

@@ -6,6 +6,7 @@ import json
 import os
 import sys
 from contextlib import nullcontext, redirect_stdout
+from importlib.util import find_spec
 from io import StringIO
 
 from galileo_sym.names import UnknownEntry
@@ -109,6 +110,7 @@ def verify(options) -> int:
     """Measure errors in ulp, and hold them against the certificates."""
     from galileo_sym.verify import run
 
+    contenders = _contenders() if options.typed_in else []
     with _bar(options, "verify") as progress:
         return run.run(
             options.names,
@@ -119,7 +121,17 @@ def verify(options) -> int:
             strata=options.stratum,
             progress=progress,
             processes=PROCESSES,
+            contenders=contenders,
         )
+
+
+def _contenders():
+    """The printed formulas as they are; SciPy has the Lambert W that they need."""
+    if find_spec("scipy") is None:
+        raise UsageError("--typed-in evaluates the printed formulas with SciPy: pip install scipy")
+    from galileo_sym.typed_in import TypedIn
+
+    return [TypedIn()]
 
 
 DEFAULTS = {
@@ -133,6 +145,7 @@ DEFAULTS = {
     "seed": None,
     "stratum": [],
     "update": False,
+    "typed_in": False,
 }
 
 

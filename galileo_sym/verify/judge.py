@@ -1,9 +1,11 @@
 """Hold measurements against claims and records: one row for each stratum and back end."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
+
+import numpy as np
 
 from .functions import FUNCTIONS
-from .measure import as_hex, evaluate, first_difference, measure
+from .measure import Sample, as_hex, evaluate, first_difference, measure
 from .ulp import rounded_up
 
 OK = "ok"
@@ -30,7 +32,9 @@ class Row:
     bound : float
         The claim.
     verdict : str
-        "ok", or what is wrong.
+        "ok", or what is wrong; of a contender, what share of its results is no number.
+    compared : bool
+        Whether it is a contender's, shown for comparison and not judged; `measured` is then over its finite results.
     """
 
     function: str
@@ -43,6 +47,12 @@ class Row:
     worst: dict
     bound: float
     verdict: str
+    compared: bool = False
+
+    @property
+    def failed(self):
+        """Whether it keeps verification from holding."""
+        return self.verdict != OK and not self.compared
 
     def as_dict(self):
         return asdict(self)
@@ -135,3 +145,39 @@ def judge(sample, back_ends, record):
     failed = len(rows) > len(measurements)
     worst = None if failed else max((measurement for _, measurement, _ in measurements), key=lambda one: one.error)
     return rows, worst
+
+
+def compare(sample, contender):
+    """Measure a contender on a sample, for comparison.
+
+    Parameters
+    ----------
+    sample : Sample
+        Points with references.
+    contender : object
+        With `name` and `evaluate`.
+
+    Returns
+    -------
+    Row
+    """
+    task = sample.task
+    results = evaluate(sample, contender)
+    finite = np.logical_and.reduce([np.isfinite(values) for values in results])[: sample.size]
+    kept = np.flatnonzero(finite)
+    arguments = {name: [values[i] for i in kept] for name, values in sample.arguments.items()}
+    part = Sample(replace(task, recorded=None), arguments, [sample.references[i] for i in kept])
+    found = measure(part, tuple(values[kept] for values in results)) if len(kept) else None
+    return Row(
+        task.function,
+        task.force_set,
+        task.stratum,
+        contender.name,
+        sample.size,
+        rounded_up(found.error) if found else float("inf"),
+        found.output if found else "",
+        as_hex(found.worst) if found else {},
+        float("inf"),
+        f"for comparison; {1 - len(kept) / sample.size:.0%} no finite number",
+        compared=True,
+    )

@@ -2,7 +2,6 @@
 
 from . import certificate
 from .functions import FUNCTIONS
-from .judge import OK
 from .selection import select_strata
 from .strata import fixed_strata
 
@@ -75,7 +74,7 @@ def renew(folder, outcomes, records, back_ends, seed, date):
     list of str
         Full names of the functions whose certificates were written.
     """
-    failed = {rows[0].function for rows, _ in outcomes.values() if any(row.verdict != OK for row in rows)}
+    failed = {rows[0].function for rows, _ in outcomes.values() if any(row.failed for row in rows)}
     entries = {name: {} for name, _, _ in outcomes if name not in failed}
     for (name, force_set, stratum), old in records.items():
         if name in entries:

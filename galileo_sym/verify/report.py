@@ -3,8 +3,6 @@
 import json
 import math
 
-from .judge import OK
-
 _HEADINGS = ("function", "forces", "stratum", "points", "back end", "max ulp", "bound", "verdict", "worst input")
 
 
@@ -12,7 +10,7 @@ def _cells(row):
     worst = " ".join(f"{name}={value}" for name, value in row.worst.items())
     measured = f"≥ {row.measured:.3g}" + (f" ({row.output})" if row.output in {"x", "y", "X", "Y", "R"} else "")
     place = (row.function, row.force_set, row.stratum, str(row.points), row.back_end)
-    return (*place, measured, f"{row.bound:g}", row.verdict, worst)
+    return (*place, measured, "" if row.compared else f"{row.bound:g}", row.verdict, worst)
 
 
 def table(rows):
@@ -42,19 +40,20 @@ def as_json(rows, problems, notes, seed, held):
         "seed": seed,
         "notes": notes,
         "problems": problems,
-        "rows": [{**row.as_dict(), "measured": _finite(row.measured)} for row in rows],
+        "rows": [{**row.as_dict(), "measured": _finite(row.measured), "bound": _finite(row.bound)} for row in rows],
     }
     return json.dumps(content, indent=2, allow_nan=False)
 
 
 def summary(rows, problems, updated):
     """The last lines for people: problems, and whether all held."""
-    failed = [row for row in rows if row.verdict != OK]
+    failed = [row for row in rows if row.failed]
     lines = [f"problem: {problem}" for problem in problems]
     lines.extend(
         f"failed: {row.function} [{row.force_set}] {row.stratum}, {row.back_end}: {row.verdict}" for row in failed
     )
     lines.extend(f"certificate written: {name}" for name in updated)
+    rows = [row for row in rows if not row.compared]
     points = sum(row.points for row in rows)
     state = "all held" if not failed and not problems else f"{len(failed)} failed, {len(problems)} problems"
     lines.append(f"{len(rows)} strata, {points} points: {state}")

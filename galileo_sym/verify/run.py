@@ -8,7 +8,7 @@ from multiprocessing import get_context
 
 from . import certificate, report
 from .back_ends import NumpyFunctions, available_back_ends, generated_folder
-from .judge import OK, judge
+from .judge import compare, judge
 from .measure import Task, VacuousStratumError, take_sample
 from .native import CompilationError
 from .renewal import RefusedUpdateError, renew, require_sound_update
@@ -56,6 +56,7 @@ def run(
     *,
     progress=None,
     back_ends=None,
+    contenders=(),
     certificates=None,
     processes=None,
     out=None,
@@ -83,6 +84,9 @@ def run(
         Called with (strata done, strata in all, what was done last).
     back_ends : list, optional
         Objects with `name` and `evaluate`; by default NumPy and, if there is a compiler, C.
+    contenders : sequence, optional
+        Objects like the back ends, measured at the same points for comparison, not judged; `serves(function)` says
+        whether one has the function of that full name.
     certificates : Path, optional
         Folder of the certificates; that of the emitted code by default.
     processes : int, optional
@@ -135,7 +139,9 @@ def run(
         for done, (position, sample) in enumerate(_samples(tasks, processes), 1):
             place = chosen[position]
             # an update accepts a recorded input that errs more than before, up to the bound
-            outcomes[place] = judge(sample, back_ends, None if update else records.get(place))
+            found, worst = judge(sample, back_ends, None if update else records.get(place))
+            beside = [compare(sample, one) for one in contenders if one.serves(place[0])]
+            outcomes[place] = found + beside, worst
             if progress is not None:
                 progress(done, len(tasks), f"{place[0]} [{place[1]}] {place[2]}")
     except VacuousStratumError as cause:
@@ -144,7 +150,7 @@ def run(
     rows = [row for found, _ in outcomes.values() for row in found]
     date = datetime.date.today().isoformat() if date is None else date
     updated = [] if problems or not update else renew(folder, outcomes, records, back_ends, seed, date)
-    held = not problems and all(row.verdict == OK for row in rows)
+    held = not problems and not any(row.failed for row in rows)
     if json_output:
         print(report.as_json(rows, problems, notes, seed, held), file=out)
     else:
