@@ -16,8 +16,8 @@ def largest(strata):
 
 
 def rows():
-    """A row for each certificate: function, then the largest error for each set of forces."""
-    for path in sorted((ROOT / "generated" / "certificates").glob("*.json")):
+    """A row for each certificate (PAPER.FUNCTION.json): function, then the largest error for each set of forces."""
+    for path in sorted((ROOT / "generated" / "certificates").glob("*.*.json")):
         certificate = json.loads(path.read_text(encoding="utf-8"))
         sets = certificate["force_sets"]
         if set(sets) <= set(FORCES):
