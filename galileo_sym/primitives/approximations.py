@@ -93,13 +93,15 @@ def _first(value, fraction_bits):
 APPROXIMATIONS = {
     approximation.name: approximation
     for approximation in (
-        Approximation("phi1m", _of("phi1", -1), 3.0, 15, "(1 - exp(-z))/z"),
-        Approximation("phi2m", _of("phi2", -1), 3.0, 15, "(z - 1 + exp(-z))/z^2"),
+        Approximation("phi1m", _of("phi1", -1), 1.75, 15, "(1 - exp(-z))/z"),
+        Approximation("phi1m_tail", _of("phi1", -1), 1.75, 14, "phi1m, continued", COUNT),
+        Approximation("phi2m", _of("phi2", -1), 1.75, 15, "(z - 1 + exp(-z))/z^2"),
+        Approximation("phi2m_tail", _of("phi2", -1), 1.75, 14, "phi2m, continued", COUNT),
         Approximation("descent_factor", _of("descent_factor"), 0.625, 14, "tau/p, tau - 1 + exp(-tau) = p^2/2"),
         Approximation("flight_factor", _of("flight_factor"), 1.0, 14, "T/(2 b), T = (1 + b)(1 - exp(-T))"),
-        Approximation("range_factor", _of("range_factor"), 1.0, 15, "(1 - exp(-T))/(2 b), T = (1 + b)(1 - exp(-T))"),
+        Approximation("range_factor", _of("range_factor"), 0.5, 14, "(1 - exp(-T))/(2 b), T = (1 + b)(1 - exp(-T))"),
         Approximation("flight_tail", _of("flight_factor"), 1.0, 14, "flight_factor, continued", COUNT),
-        Approximation("range_tail", _of("range_factor"), 1.0, 14, "range_factor, continued", COUNT),
+        Approximation("range_tail", _of("range_factor"), 0.5, 14, "range_factor, continued", COUNT),
         Approximation("best_sine", _of("best_sine"), 1.0, 13, "a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2"),
         Approximation("best_angle", _of("best_angle"), 1.0, 13, "asin(a/(exp(s) - 1)), 1 + (s - 1) exp(s) = a^2"),
         Approximation("max_range_factor", _max_range_factor, 1.0, 15, "sqrt(1 - (1 + s) exp(-s))/a, s as in best_sine"),

@@ -92,11 +92,11 @@ def near_lines(bank, paired):
 KERNELS = {
     kernel.name: kernel
     for kernel in (
-        Kernel("phi1m", "(1 - exp(-z))/z", ("phi1m",), (Line("r", "div", (1.0, "x")),)),
+        Kernel("phi1m", "(1 - exp(-z))/z", ("phi1m", "phi1m_tail"), (Line("r", "div", (1.0, "x")),)),
         Kernel(
             "phi2m",
             "(z - 1 + exp(-z))/z^2",
-            ("phi2m",),
+            ("phi2m", "phi2m_tail"),
             (  # (1 - 1/z)/z, with the rest of the division
                 Line("y", "div", (1.0, "x")),
                 Line("finite", "min", ("x", LARGEST)),

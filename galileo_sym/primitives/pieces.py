@@ -73,9 +73,14 @@ class Partition:
         return lower, upper
 
     def centre(self, index):
-        """Return the point that d is counted from: 0 for the piece that begins there, so that d is exact."""
+        """Return the point c that d is counted from: 0 for the piece that begins there, so that d is exact.
+
+        Elsewhere c/2 < x < 2 c makes it exact; where the middle leaves no room below for the blur of the bounds by the
+        rounding of x + offset, c is a little less.
+        """
         lower, upper = self.bounds(index)
-        return (lower + upper) / 2 if lower else 0.0
+        middle = (lower + upper) / 2
+        return 0.0 if not lower else middle * (1 - 2.0**-10) if middle == 2 * lower else middle
 
 
 @dataclass(frozen=True)

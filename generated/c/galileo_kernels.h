@@ -4,126 +4,126 @@
 
 #include "galileo_vector.h"
 
-/* (1 - exp(-z))/z, on [0.0, 45.0): degree 15 on each of 16 pieces. */
+/* (1 - exp(-z))/z, on [0.0, 26.25): degree 15 on each of 16 pieces. */
 GS_TABLE(gs_phi1m_centre) = {
-    0x0.0p+0, 0x1.8000000000000p-1, 0x1.8000000000000p+0, 0x1.4000000000000p+1,
-    0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.8000000000000p+2, 0x1.0000000000000p+3,
-    0x1.4000000000000p+3, 0x1.8000000000000p+3, 0x1.e000000000000p+3, 0x1.3000000000000p+4,
-    0x1.7000000000000p+4, 0x1.b000000000000p+4, 0x1.0800000000000p+5, 0x1.4800000000000p+5
+    0x0.0p+0, 0x1.ff80000000000p-2, 0x1.0000000000000p+0, 0x1.8000000000000p+0,
+    0x1.0000000000000p+1, 0x1.6000000000000p+1, 0x1.e000000000000p+1, 0x1.3000000000000p+2,
+    0x1.7000000000000p+2, 0x1.d000000000000p+2, 0x1.2800000000000p+3, 0x1.6800000000000p+3,
+    0x1.a800000000000p+3, 0x1.0400000000000p+4, 0x1.4400000000000p+4, 0x1.8400000000000p+4
 };
 GS_TABLE(gs_phi1m_c0) = {
-    0x1.0000000000000p+0, 0x1.6832a0d6021acp-1, 0x1.092bec248c5fbp-1, 0x1.77fa5d3244dfcp-2,
-    0x1.1bbc8dafbe927p-2, 0x1.c20e270cc2463p-3, 0x1.547cbc95f481dp-3, 0x1.ffd407bdf7dfbp-4,
-    0x1.9994d6e7a8858p-4, 0x1.5554cbe3bec3fp-4, 0x1.11110b97a307fp-4, 0x1.af286ba193a36p-5,
-    0x1.642c8590151afp-5, 0x1.2f684bda10838p-5, 0x1.f07c1f07c1edfp-6, 0x1.8f9c18f9c18fap-6
+    0x1.0000000000000p+0, 0x1.9300b8f9f97c3p-1, 0x1.43a54e4e98864p-1, 0x1.092bec248c5fbp-1,
+    0x1.bab5557101f8dp-2, 0x1.5c8f2967008b9p-2, 0x1.0aa50e9c7373fp-2, 0x1.ab6d7a57a8bfep-3,
+    0x1.630a506a87c1dp-3, 0x1.1a483ac274a7cp-3, 0x1.bac4ac21e60b1p-4, 0x1.6c158b0e56bb6p-4,
+    0x1.3521ac08e65a5p-4, 0x1.f81f7f12dcb1fp-5, 0x1.948b0fc28988ap-5, 0x1.51d07eae04d8fp-5
 };
 GS_TABLE(gs_phi1m_c0_lo) = {
-    0x0.0p+0, -0x1.ba541466ab248p-56, 0x1.9ee03c2a5ac70p-57, 0x1.56a7162aa5fd6p-56,
-    0x1.49d0bc8f8690cp-56, 0x1.dcc35f77a7ae2p-58, -0x1.c9db9922e33c3p-58, 0x1.4d0859f0f9e61p-61,
-    0x1.5bc0327afeb9ep-61, -0x1.f6c7e71fa4797p-59, 0x1.56211f450c9b8p-58, -0x1.2b5a55e25a28ap-63,
-    0x1.5e5300776b665p-59, 0x1.fc6014fbc4e45p-61, 0x1.0a84f8c76e949p-62, -0x1.0505b16bd012ep-60
+    0x0.0p+0, -0x1.afe451af413ffp-60, 0x1.ca8a4270f9a38p-57, 0x1.9ee03cf0170f2p-57,
+    0x1.809224547a554p-58, -0x1.27ef307292319p-56, 0x1.3e0924f85c815p-56, -0x1.c90f51b4be85fp-62,
+    0x1.6303e842793dep-57, 0x1.1bf429028d15bp-57, 0x1.532846c0f3c74p-62, 0x1.b5fc5910c2373p-60,
+    -0x1.1078a54def867p-59, 0x1.a73af12239f4bp-60, 0x1.44bf1ceefa94cp-59, 0x1.9906f3eb7e93ap-59
 };
 GS_TABLE(gs_phi1m_c1) = {
-    -0x1.0000000000000p-1, -0x1.3b96ee915f277p-2, -0x1.927a2648fd28ap-3, -0x1.d313a37fe8185p-4,
-    -0x1.20ee466341ccap-4, -0x1.7bd36993b5c90p-5, -0x1.bf36e0223f662p-6, -0x1.fe7445adb6dd3p-7,
-    -0x1.47842ff697ca0p-7, -0x1.c713236b95440p-8, -0x1.23450a1bef76cp-8, -0x1.6b148dff9b972p-9,
-    -0x1.ef8bdb2424e86p-10, -0x1.67980e0b9f450p-10, -0x1.e1709a3611117p-11, -0x1.37e3fa847e18ap-11
+    -0x1.0000000000000p-1, -0x1.71973b4e2f784p-2, -0x1.0e95393a62190p-2, -0x1.927a2648fd28ap-3,
+    -0x1.3020005305ea7p-3, -0x1.9bc7106060107p-4, -0x1.02bbc17f15c30p-4, -0x1.5904a13caa5dbp-5,
+    -0x1.e4e66da5ad062p-6, -0x1.35e0fc6ea18d5p-6, -0x1.7e981f71b21cep-7, -0x1.02ddcc6626bb5p-7,
+    -0x1.75483e2ee13d6p-8, -0x1.f05dd8a2d3aefp-9, -0x1.3fa399fe5a8adp-9, -0x1.bdc6974f2579dp-10
 };
 GS_TABLE(gs_phi1m_c1_lo) = {
-    0x1.f48c386c64488p-67, 0x1.03309df1b1bfcp-61, -0x1.196205fc83aa5p-62, -0x1.2e9ec0955523bp-60,
-    -0x1.d2ac2659d03e1p-59, 0x1.8fd31063a3ceep-60, 0x1.6242a1b8c6637p-62, -0x1.76b1a4be61cffp-61,
-    -0x1.7e87efd65f5b0p-61, 0x1.056eb80dbc325p-62, -0x1.c473b7c83960ep-64, -0x1.c0f29c128abfbp-64,
-    0x1.21df79f0e82b9p-65, 0x1.e11276808754ep-68, -0x1.fe3354374bd90p-65, -0x1.8152f0c4d0916p-65
+    0x1.f4a98e790fca0p-68, 0x1.4c2347d036834p-58, -0x1.ca8a4270fad69p-56, -0x1.1962075a4ae36p-62,
+    -0x1.206d9b3f5c723p-57, 0x1.b3a5b22d0c909p-59, 0x1.2c15ef1f977b8p-58, -0x1.341a507089e74p-59,
+    0x1.eed02cbbf3b76p-60, -0x1.21d1763e41a01p-60, -0x1.e68bcd4bad407p-62, -0x1.95ced0df9eceap-62,
+    -0x1.4ed5c8dae2feap-63, 0x1.a11a3a463ae67p-63, -0x1.cf4720ce2d03ep-64, 0x1.7c285c433415fp-65
 };
 GS_TABLE(gs_phi1m_c2) = {
-    0x1.5555555555555p-3, 0x1.8944d10a03e7fp-4, 0x1.cffa71e706149p-5, 0x1.de58bbf867251p-6,
-    0x1.03870713f6a22p-6, 0x1.292d247797561p-7, 0x1.1c9b09761d0b8p-8, 0x1.f8f53d6cb2d35p-10,
-    0x1.056b0353f084ep-10, 0x1.2f3fbb3769d30p-11, 0x1.36ad4e1172578p-12, 0x1.31c0635039c36p-13,
-    0x1.58ba550cdb972p-14, 0x1.aa2f78ec6e723p-15, 0x1.d2d9cbd75148bp-16, 0x1.e6da80ced1518p-17
+    0x1.5555555555555p-3, 0x1.d79fa589ca2bcp-4, 0x1.48ea1e23ea7d2p-4, 0x1.cffa71e706149p-5,
+    0x1.4b15566a13b83p-5, 0x1.98839195a75d0p-6, 0x1.c136cad6549b0p-7, 0x1.04b3172641407p-7,
+    0x1.3f2f1026de37ep-8, 0x1.4f8404ebf7c98p-9, 0x1.4987c8f21d280p-10, 0x1.6fdcc9d752050p-11,
+    0x1.c2afab50032d7p-12, 0x1.e8b97a4daf4f7p-13, 0x1.f91bc5b004c2dp-14, 0x1.261ebd65ef0cbp-14
 };
 GS_TABLE(gs_phi1m_c3) = {
-    -0x1.55555555554a8p-5, -0x1.79997bc73c801p-6, -0x1.a8e2230a5b500p-7, -0x1.96b8420c0c38ep-8,
-    -0x1.94ba58ba76cb8p-9, -0x1.a474b14d17a20p-10, -0x1.575fecb803789p-11, -0x1.ea4d2769fd638p-13,
-    -0x1.9f185b7f2f2a7p-14, -0x1.939db781208d0p-15, -0x1.4b54ed5394e02p-16, -0x1.01792aecb2e72p-17,
-    -0x1.df9f0b9dadd50p-19, -0x1.f91bd17baaf74p-20, -0x1.c4b42a83014adp-21, -0x1.7bfbb5b426769p-22
+    -0x1.55555555553fbp-5, -0x1.cb5a872eacfdbp-6, -0x1.371a1a32d76b4p-6, -0x1.a8e2230a5b500p-7,
+    -0x1.249c748431f4cp-7, -0x1.5449d333e1faap-8, -0x1.56292c8226c0ep-9, -0x1.677e8edad7b63p-10,
+    -0x1.8bb6c40da1897p-11, -0x1.611af6cd1a432p-12, -0x1.195e17a626212p-13, -0x1.04c867c974e03p-14,
+    -0x1.0fed3af2bdf26p-15, -0x1.e12ceefcc8c9ep-17, -0x1.8f18e082ed63ep-18, -0x1.841e00114f63ep-19
 };
 GS_TABLE(gs_phi1m_c4) = {
-    0x1.1111111107b56p-7, 0x1.2607b50dbfab7p-8, 0x1.40a150bde943dp-9, 0x1.241de55eadf23p-10,
-    0x1.12118961ef663p-11, 0x1.09e17fd974ee7p-12, 0x1.81a2512a68c48p-14, 0x1.ccfcfb6492817p-16,
-    0x1.45ba8f244f331p-17, 0x1.0ba54b6f3c9a6p-18, 0x1.6131433ae6f0bp-20, 0x1.b1a0460031b5dp-22,
-    0x1.4da630b31c40cp-23, 0x1.2b52da22f29d3p-24, 0x1.b6fc483f45cccp-26, 0x1.2892815468a1bp-27
+    0x1.11111110ebb74p-7, 0x1.691903f4f51f5p-8, 0x1.dfb414dd16478p-9, 0x1.40a150bde943dp-9,
+    0x1.af556170dcdbbp-10, 0x1.e21a36bfb44b7p-11, 0x1.c7f1073fa76c1p-12, 0x1.be4e97e8c5ab3p-13,
+    0x1.c5d2987428c75p-14, 0x1.63654b594922cp-15, 0x1.d829b4a9c1b54p-17, 0x1.6fa87d29d4b0dp-18,
+    0x1.479f0dfe8d077p-19, 0x1.d9a6f4d5a3b7ep-21, 0x1.3b551e4d2c463p-22, 0x1.0013c426c8c3ap-23
 };
 GS_TABLE(gs_phi1m_c5) = {
-    -0x1.6c16c16353613p-10, -0x1.80962648c47a6p-11, -0x1.9a3333e7765ebp-12, -0x1.68f53d7ea8c59p-13,
-    -0x1.44e0c40a53fbap-14, -0x1.2c1ad5d196de2p-15, -0x1.8ea917381ae2ap-17, -0x1.9e164e8f1ab6cp-19,
-    -0x1.f4daba9be4b4dp-21, -0x1.60478a3a22a11p-22, -0x1.7802390a6a7aep-24, -0x1.6d1dd7fd056d1p-26,
-    -0x1.d0347aeaea5dbp-28, -0x1.62c0fd4e9c829p-29, -0x1.a9aed1a6de266p-31, -0x1.cef12dc86e604p-33
+    -0x1.6c16c12637320p-10, -0x1.db7e58e33de49p-11, -0x1.378622dfd50f3p-11, -0x1.9a3333e7765ebp-12,
+    -0x1.0f60cf2e9757ep-12, -0x1.26fa580d91e09p-13, -0x1.0b22e71dd0d5fp-14, -0x1.f10600c44eadcp-16,
+    -0x1.dca0c5b0e1698p-17, -0x1.51615b0f36458p-18, -0x1.811d33e7344c1p-20, -0x1.0045e572faa14p-21,
+    -0x1.893d99a787e22p-23, -0x1.d1faa924e5059p-25, -0x1.f247cefd6771bp-27, -0x1.51ea667e03c77p-28
 };
 GS_TABLE(gs_phi1m_c6) = {
-    0x1.a019fca649363p-13, 0x1.b146d8de8fc49p-14, 0x1.c6a154c09a606p-15, 0x1.85fa5532c19bbp-16,
-    0x1.547e1699628a7p-17, 0x1.2f6c60ae87509p-18, 0x1.7985e683238e3p-20, 0x1.5f8d681d2ab49p-22,
-    0x1.7599f65475745p-24, 0x1.c97d1cb25ff04p-26, 0x1.8f2126cc0a1a4p-28, 0x1.335aa0853eb9bp-30,
-    0x1.42eb1c8c4243ep-32, 0x1.a472d775b8b9bp-34, 0x1.9cc88d0663340p-36, 0x1.6952173f09313p-38
+    0x1.a019b2592dfa6p-13, 0x1.0d3039d1859bdp-13, 0x1.5d2380e34dbb1p-14, 0x1.c6a154c09a5c5p-15,
+    0x1.2920a2762f8b1p-15, 0x1.3c6f58f45309dp-16, 0x1.159f5b2946923p-17, 0x1.f18e8941288f0p-19,
+    0x1.c8c3c82bd7bf0p-20, 0x1.2b3db898e5be5p-21, 0x1.2e14b68499237p-23, 0x1.5eaee2c566289p-25,
+    0x1.d4843653c28f9p-27, 0x1.c9c7dc400f589p-29, 0x1.89a48081ac5a6p-31, 0x1.bde7d3e9d2e17p-33
 };
 GS_TABLE(gs_phi1m_c7) = {
-    -0x1.a0182dc381732p-16, -0x1.ac7fcce5a8318p-17, -0x1.bc014a072e904p-18, -0x1.758b14c412bdfp-19,
-    -0x1.3ebdf9c91d9ffp-20, -0x1.1473b937751afp-21, -0x1.4756176912bb6p-23, -0x1.18158551c69a8p-25,
-    -0x1.0bee1e06e97d6p-27, -0x1.2307aa7044f4bp-29, -0x1.a54a0597cb68cp-32, -0x1.02912deacdd7dp-34,
-    -0x1.c13f23541c797p-37, -0x1.f24eb8db25e7ep-39, -0x1.9046592c2ca64p-41, -0x1.1a01a1c085d4ap-43
+    -0x1.9fdfcfcc48006p-16, -0x1.0b3fbdc917893p-16, -0x1.57e7edd6986cap-17, -0x1.bc014a072e8e7p-18,
+    -0x1.1f7f906640a6fp-18, -0x1.2d78e3467c0f9p-19, -0x1.023d84964dfbbp-20, -0x1.c1f331b5b0d85p-22,
+    -0x1.8fa5c5b213bfep-23, -0x1.ed71b63cce2a0p-25, -0x1.c3aeb19774bfcp-27, -0x1.d338587596475p-29,
+    -0x1.13a1c8f0c7fa6p-30, -0x1.c0627cad715d0p-33, -0x1.36e34cf94aa57p-35, -0x1.263280cdeec76p-37
 };
 GS_TABLE(gs_phi1m_c8) = {
-    0x1.716a7bb1ffea8p-19, 0x1.7989f7dc02008p-20, 0x1.8356662a3501ap-21, 0x1.40f3e02ea385dp-22,
-    0x1.0d06dc7f51c09p-23, 0x1.c90190c77d99ap-25, 0x1.046bade93cc82p-26, 0x1.a13b4502dbceap-29,
-    0x1.6ec948580e4c5p-31, 0x1.681d672eae12ep-33, 0x1.b87a2217c46acp-36, 0x1.b273bf119dee6p-39,
-    0x1.38750480ae862p-41, 0x1.274a19615511cp-43, 0x1.8425284f51818p-46, 0x1.b8347ef844a21p-49
+    0x1.5516f7b70c0fep-19, 0x1.d86072c238ad6p-20, 0x1.2e0b5570edec8p-20, 0x1.8356662a44df6p-21,
+    0x1.f1f6904d0a193p-22, 0x1.01f1bb7b46a36p-22, 0x1.b1c886b978e60p-24, 0x1.71c52500a519cp-25,
+    0x1.402e1b4b68ac0p-26, 0x1.798a490154f4ep-28, 0x1.3fceecdbae453p-30, 0x1.2cb754d406b3fp-32,
+    0x1.3e58ca284f306p-34, 0x1.b4c7b0c0bdf0ap-37, 0x1.eab9ea8677915p-40, 0x1.842f6b4c8b9cfp-42
 };
 GS_TABLE(gs_phi1m_c9) = {
-    -0x1.1422f091630c2p-22, -0x1.2bdd608945683p-23, -0x1.312fed56b6350p-24, -0x1.f3a213e3bd844p-26,
-    -0x1.9ce6954cafee2p-27, -0x1.58f53f06058e8p-28, -0x1.7d8448d084dcap-30, -0x1.222d4010bda9ap-32,
-    -0x1.dccf607032e17p-35, -0x1.ae8231ca03776p-37, -0x1.c6060c400268dp-40, -0x1.6c064a31390bfp-43,
-    -0x1.b2805dc7b43e2p-46, -0x1.5df577bba9954p-48, -0x1.786208e0d8f46p-51, -0x1.57931e623acefp-54
+    0x1.154a652cebf02p-19, -0x1.78206e7a5bb3bp-23, -0x1.de919beb9d00fp-24, -0x1.312fed56bd394p-24,
+    -0x1.860ddb134985ep-25, -0x1.903486ebf83e7p-26, -0x1.4b96db1aae2afp-27, -0x1.15d88c8ef31a6p-28,
+    -0x1.d7a511a20ba7dp-30, -0x1.0c32331dff130p-31, -0x1.ab405a61fdbb4p-34, -0x1.73a215dcb1ec7p-36,
+    -0x1.66a7d9c7a3261p-38, -0x1.a5b181ca4b32dp-41, -0x1.82c02128e63a0p-44, -0x1.000fe1030aa94p-46
 };
 GS_TABLE(gs_phi1m_c10) = {
-    -0x1.82dffcf30dcf7p-25, 0x1.b19130d58e4a2p-27, 0x1.b6599169a740bp-28, 0x1.63414497d30e9p-29,
-    0x1.223964a3cfbf9p-30, 0x1.de85873a757efp-32, 0x1.0256a80e4478dp-33, 0x1.7910e92fd3013p-36,
-    0x1.2568e87761f66p-38, 0x1.ee948c1446789p-41, 0x1.cafcdb0d69d5bp-44, 0x1.2f9ef4df05eccp-47,
-    0x1.2de87d0f70557p-50, 0x1.9eb8e210d4021p-53, 0x1.6cfbc25623310p-56, 0x1.0c283c40cbdcep-59
+    -0x1.2ac2eec287153p-16, 0x1.107a68095e1a4p-26, 0x1.593d1674bf775p-27, 0x1.b6599126c372dp-28,
+    0x1.16c71a99ea208p-28, 0x1.1bc8ba815a1b8p-29, 0x1.d0ad40a2f9500p-31, 0x1.8005b52929d63p-32,
+    0x1.40c4bfbeb9febp-33, 0x1.6270f5ad889aap-35, 0x1.0cc53712df24ep-37, 0x1.b6dc9fbc35724p-40,
+    0x1.87df686d1670ep-42, 0x1.91d294cb41c10p-45, 0x1.30020234b0720p-48, 0x1.51b449fbec779p-51
 };
 GS_TABLE(gs_phi1m_c11) = {
-    0x1.89f87cdbed905p-23, -0x1.1f973b524038ep-30, -0x1.21272759ea098p-31, -0x1.d0cd152d705e4p-33,
-    -0x1.781f6344477ccp-34, -0x1.32b54a674a2f9p-35, -0x1.44c1904ae4f64p-37, -0x1.ca70db4effa8ap-40,
-    -0x1.556659261446bp-42, -0x1.0ff3b09887559p-44, -0x1.c4c56b3a65968p-48, -0x1.f6d812c60b375p-52,
-    -0x1.a303e0f842c3fp-55, -0x1.eb64d81346cc2p-58, -0x1.61ebd61fe18a0p-61, -0x1.a29637ff534dap-65
+    0x1.8be5c106dc229p-14, -0x1.6a1afecadfd0ep-30, -0x1.c92ecea669012p-31, -0x1.2127273c55255p-31,
+    -0x1.6e4fa3c4eea83p-32, -0x1.7274411a7c8cep-33, -0x1.2c53594ed8bfep-34, -0x1.ead0910fd122cp-36,
+    -0x1.94abc2680e8ccp-37, -0x1.b4d9070a5c245p-39, -0x1.3e5cd654afc43p-41, -0x1.edb5e8d4556c4p-44,
+    -0x1.9d3f308fe9631p-46, -0x1.782aed2706b76p-49, -0x1.dbd3ff3691e1bp-53, -0x1.bd11ee76c99b5p-56
 };
 GS_TABLE(gs_phi1m_c12) = {
-    -0x1.66dcefc7757fep-22, 0x1.606f6382fe2acp-34, 0x1.60ad9fdc81756p-35, 0x1.19797c8eadd90p-36,
-    0x1.c3ed072b4387ap-38, 0x1.6d2fb5a7dafb8p-39, 0x1.7c730c66fd18cp-41, 0x1.0549f81044f62p-43,
-    0x1.77776f21db0efp-46, 0x1.1d8e7e451862bp-48, 0x1.b171bb646f2fbp-52, 0x1.9bd5b9d61f46ep-56,
-    0x1.2202f45d2b604p-59, 0x1.22f7aef6f3714p-62, 0x1.56ae2f49c2f1ep-66, 0x1.468082453ae7ep-70
+    -0x1.64ac4cac02abdp-12, 0x1.bc68dac337c90p-34, 0x1.17b4b21845660p-34, 0x1.60ae36684a70bp-35,
+    0x1.bd46259427cfap-36, 0x1.bfd41e55efd9cp-37, 0x1.6812d8f90f556p-38, 0x1.237a3573b8042p-39,
+    0x1.db80564140ec7p-41, 0x1.f78a21208f853p-43, 0x1.634443c22cca5p-45, 0x1.0818b4b6dfbe6p-47,
+    0x1.a30ace7abbd3cp-50, 0x1.581ea20bb550dp-53, 0x1.71a9b313b27c6p-57, 0x1.24d23d4c5c312p-60
 };
 GS_TABLE(gs_phi1m_c13) = {
-    0x1.a3d88998b2ebbp-22, -0x1.9148e12838e58p-38, -0x1.8fef32546a256p-39, -0x1.3d4770d8287ecp-40,
-    -0x1.f9f8cffbe5d71p-42, -0x1.95bbe3507eedbp-43, -0x1.a106e3a04664dp-45, -0x1.17fcc79eced5bp-47,
-    -0x1.86a0b441306fbp-50, -0x1.1df432d502e88p-52, -0x1.920aa71a9d7e0p-56, -0x1.4cdb9a354bf7fp-60,
-    -0x1.901dfb3f2c602p-64, -0x1.586dc9392a955p-67, -0x1.4c486cfb93823p-71, -0x1.fda959b46e657p-76
+    0x1.a1089c664655ep-11, -0x1.faa7dfc3dffa0p-38, -0x1.3e0e65b10f88bp-38, -0x1.8fefb77cfeeddp-39,
+    -0x1.f777c5c028f89p-40, -0x1.f7fa6930b7e35p-41, -0x1.9265fa87981a5p-42, -0x1.432b6d9d27789p-43,
+    -0x1.053d5dccbefd9p-44, -0x1.1048c1c15a469p-46, -0x1.761243bc2214ep-49, -0x1.0c94e808d6724p-51,
+    -0x1.97a1d268d6669p-54, -0x1.32ee7555108abp-57, -0x1.1c943941cf295p-61, -0x1.809160680aed9p-65
 };
 GS_TABLE(gs_phi1m_c14) = {
-    -0x1.1f24cda66d2e1p-22, 0x1.ab096eb4294b3p-42, 0x1.a941f5cd4c991p-43, 0x1.4f9c8ae0a125cp-44,
-    0x1.0a0a70ca142adp-45, 0x1.a7de51b6a39f3p-47, 0x1.b336d88fa53d4p-49, 0x1.1e9212f16a7d2p-51,
-    0x1.85e77883ed941p-54, 0x1.1457d977d04cfp-56, 0x1.78a0c23097c41p-60, 0x1.1271156036d75p-64,
-    0x1.1a90cdc00783fp-68, 0x1.a046b3dad84e3p-72, 0x1.56489e0dd458cp-76, 0x1.9d873ef77ebf5p-81
+    -0x1.1d2db65a5a3f9p-10, 0x1.0de2e8558ee68p-41, 0x1.52145a05d9a92p-42, 0x1.a81992e9947e9p-43,
+    0x1.0a451234b3dbcp-43, 0x1.0a2d03dc8258fp-44, 0x1.a67f5c8cec202p-46, 0x1.5103ddc2476d4p-47,
+    0x1.0e59b8b6f9e2ep-48, 0x1.18e3bf2ef6069p-50, 0x1.7931eb72c3934p-53, 0x1.06f8bf0e548d2p-55,
+    0x1.805bbb4584b25p-58, 0x1.157281b52e7e6p-61, 0x1.bfdcf94fa1ecbp-66, 0x1.026c28d75fb1ap-69
 };
 GS_TABLE(gs_phi1m_c15) = {
-    0x1.5c987799710e6p-24, -0x1.a9c5a0d10831bp-46, -0x1.a68fa2a0400e0p-47, -0x1.4bfa5c578786bp-48,
-    -0x1.05d5fe31ffc3ap-49, -0x1.9ed205b9a0616p-51, -0x1.a5503235ecdbdp-53, -0x1.10ff8445f3d8bp-55,
-    -0x1.6be106d990eddp-58, -0x1.f65cf4206ad24p-61, -0x1.43a2ade1da56dp-64, -0x1.aa1457721160cp-69,
-    -0x1.8062e3d5e9630p-73, -0x1.eb2e305837c4bp-77, -0x1.4bd3b69bd16d5p-81, -0x1.42c0c92512562p-86
+    0x1.5a2cc8ecdb488p-11, -0x1.0d3a443eb67a9p-45, -0x1.50bd547ec63f1p-46, -0x1.a589795b181a9p-47,
+    -0x1.0813fd5fc039ep-47, -0x1.06f9ca46d34ebp-48, -0x1.9f420ca340241p-50, -0x1.49525413088a0p-51,
+    -0x1.0675f09026fc4p-52, -0x1.0d53c5bd015f3p-54, -0x1.62f543668dcecp-57, -0x1.e32ef660ba308p-60,
+    -0x1.5668d8f2838d9p-62, -0x1.cfbccc0375b34p-66, -0x1.4e701b18b628cp-70, -0x1.5041ad4a5b987p-74
 };
 
 static inline gs_v gs_phi1m_near(gs_v x, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.8000000000000p+1));
-    const gs_index i = gs_piece(u, 4098, 50);
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4095, 50);
     const gs_v d = gs_sub(x, gs_pick(gs_phi1m_centre, i));
     const gs_v q15 = gs_pick(gs_phi1m_c15, i);
     const gs_v q14 = gs_fma(q15, d, gs_pick(gs_phi1m_c14, i));
@@ -160,8 +160,8 @@ static inline gs_v gs_phi1m_near(gs_v x, gs_v *lo)
 /* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
 static inline gs_v gs_phi1m_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.8000000000000p+1));
-    const gs_index i = gs_piece(u, 4098, 50);
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4095, 50);
     const gs_v d = gs_sub(x, gs_pick(gs_phi1m_centre, i));
     const gs_v q15 = gs_pick(gs_phi1m_c15, i);
     const gs_v q14 = gs_fma(q15, d, gs_pick(gs_phi1m_c14, i));
@@ -197,7 +197,192 @@ static inline gs_v gs_phi1m_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* x >= 45.0 */
+/* phi1m, continued, on [26.25, 446.25): degree 14 on each of 16 pieces. */
+GS_TABLE(gs_phi1m_tail_centre) = {
+    0x1.c400000000000p+4, 0x1.1200000000000p+5, 0x1.5200000000000p+5, 0x1.9200000000000p+5,
+    0x1.d200000000000p+5, 0x1.1900000000000p+6, 0x1.5900000000000p+6, 0x1.9900000000000p+6,
+    0x1.d900000000000p+6, 0x1.1c80000000000p+7, 0x1.5c80000000000p+7, 0x1.9c80000000000p+7,
+    0x1.dc80000000000p+7, 0x1.1e40000000000p+8, 0x1.5e40000000000p+8, 0x1.9e40000000000p+8
+};
+GS_TABLE(gs_phi1m_tail_c0) = {
+    0x1.21fb78121f0bdp-5, 0x1.de5d6e3f8867fp-6, 0x1.83c977ab2beddp-6, 0x1.460cbc7f5cf9ap-6,
+    0x1.19453808ca29cp-6, 0x1.d272ca3fc5b1ap-7, 0x1.7beb3922e017cp-7, 0x1.40782d10e6566p-7,
+    0x1.151b9a3fdd5c9p-7, 0x1.ccb5c3b636e3ap-8, 0x1.781a71dc01782p-8, 0x1.3dc013dc013dcp-8,
+    0x1.131288ffbb3b6p-8, 0x1.c9e4b91ff8d87p-9, 0x1.7639604c03a79p-9, 0x1.3c6870791ffb1p-9
+};
+GS_TABLE(gs_phi1m_tail_c0_lo) = {
+    -0x1.e3f3d66293b73p-64, 0x1.6c0bf16e4537bp-63, 0x1.40f06f9ce11c0p-61, 0x1.c0509be662b1fp-62,
+    0x1.194537c4407d5p-64, 0x1.ae01d272ca3cfp-61, -0x1.4c6dd1fe8414cp-63, 0x1.909638551fec0p-65,
+    -0x1.a3fdd5c8cb804p-62, 0x1.f44d6287df9b4p-62, -0x1.6388ffa1f9639p-62, 0x1.3dc013dc013dcp-68,
+    -0x1.1ff7676bb8022p-63, -0x1.723ff1b0da370p-64, -0x1.1e83edba32cc5p-66, -0x1.a1c1e47fec398p-65
+};
+GS_TABLE(gs_phi1m_tail_c1) = {
+    -0x1.4879bc1d813eep-10, -0x1.bef084e7456e3p-11, -0x1.25b55f2e54c65p-11, -0x1.9f4470b69787dp-12,
+    -0x1.350907ba8cd08p-12, -0x1.a8f30de47627dp-13, -0x1.19e929a79b272p-13, -0x1.912ca914879edp-14,
+    -0x1.2bf4bec81b73ep-14, -0x1.9e8edc3295457p-15, -0x1.1446d898cbd29p-15, -0x1.8a65414ca69f3p-16,
+    -0x1.2790d3acf9889p-16, -0x1.998134a736a3ap-17, -0x1.1185d91d10603p-17, -0x1.871200469ac80p-18
+};
+GS_TABLE(gs_phi1m_tail_c1_lo) = {
+    0x1.51883398f6ad9p-64, -0x1.0315fef7ac81bp-67, 0x1.c7ddd8d529f33p-66, 0x1.57711c06f1f12p-69,
+    0x1.28d8750451e4ap-66, 0x1.184702ec15c3bp-67, -0x1.d42cff1ddf33ep-68, -0x1.055b2db024d7ep-68,
+    -0x1.3b3533254d83fp-72, -0x1.7cfcbef446b49p-70, 0x1.e374cf9f728d9p-69, 0x1.972c3972ce07bp-74,
+    -0x1.8a8c5bc17aadep-70, 0x1.30904d9fc79c8p-72, 0x1.d176d01f14b6bp-71, 0x1.9cd13b170bee5p-73
+};
+GS_TABLE(gs_phi1m_tail_c2) = {
+    0x1.741416c7b9e23p-15, 0x1.a1941b012ea5dp-16, 0x1.bce8539677539p-17, 0x1.0872e8415508dp-17,
+    0x1.538a788f6fdd6p-18, 0x1.83247d9fd9e0dp-19, 0x1.a25f389fb1926p-20, 0x1.f63426e8409ecp-21,
+    0x1.44b029fab42d5p-21, 0x1.750785cd3c152p-22, 0x1.95e498331ef56p-23, 0x1.e9874c6558967p-24,
+    0x1.3d95f9bde4196p-24, 0x1.6e3ac319749c3p-25, 0x1.8fd6d8e136741p-26, 0x1.e359c3782c397p-27
+};
+GS_TABLE(gs_phi1m_tail_c3) = {
+    -0x1.a5782bdf4213ep-20, -0x1.8625788795ad8p-21, -0x1.50f8ac5fc8ec3p-22, -0x1.50cf7bde08f4bp-23,
+    -0x1.750eccf9e348cp-24, -0x1.60b3026413ac5p-25, -0x1.3671b1cecc769p-26, -0x1.3a5678be6fcc8p-27,
+    -0x1.5f759fa3abc29p-28, -0x1.4fa92ff64ff25p-29, -0x1.2a28d6a4a24b8p-30, -0x1.2fcdea8644023p-31,
+    -0x1.553f19c778b80p-32, -0x1.47870dba33c6fp-33, -0x1.243ebf0b4d3e9p-34, -0x1.2ab3ff0ddb5dep-35
+};
+GS_TABLE(gs_phi1m_tail_c4) = {
+    0x1.dd6aab95c27aap-25, 0x1.6c842d56f7ff7p-26, 0x1.fe711d590bdefp-28, 0x1.acf8f9767e088p-29,
+    0x1.99e21da395bccp-30, 0x1.4152005b2c57cp-31, 0x1.ccb791e4fcfa3p-33, 0x1.897fa6cc9878dp-34,
+    0x1.7c702ae85efefp-35, 0x1.2e092ab5254b7p-36, 0x1.b60ac803dea48p-38, 0x1.7915ed6985c05p-39,
+    0x1.6eab7dbf7fd50p-40, 0x1.24ea5c5190752p-41, 0x1.ab352b015ace9p-43, 0x1.71300b30cc635p-44
+};
+GS_TABLE(gs_phi1m_tail_c5) = {
+    -0x1.0e65302cc6eb4p-29, -0x1.5491ead21c63ap-31, -0x1.829b5a64e8ab3p-33, -0x1.112d329a70cf7p-34,
+    -0x1.c258063217614p-36, -0x1.24bbac8322395p-37, -0x1.55dd8c2a63d47p-39, -0x1.ec98499b5fb6dp-41,
+    -0x1.9bce637c59022p-42, -0x1.0fc77610e66b2p-43, -0x1.41c68ad8b12b6p-45, -0x1.d40b14ae710c2p-47,
+    -0x1.89fcc45cf2c49p-48, -0x1.05f609ad67605p-49, -0x1.383fb62ec0b07p-51, -0x1.c84deb8880703p-53
+};
+GS_TABLE(gs_phi1m_tail_c6) = {
+    0x1.3249cfc9dffcfp-34, 0x1.3e326000f1f4fp-36, 0x1.24d08d2c99989p-38, 0x1.5bed25b424b05p-40,
+    0x1.eecc63195ee82p-42, 0x1.0ab0716f44880p-43, 0x1.fb591d2f5398dp-46, 0x1.3452cd0e0112bp-47,
+    0x1.bdc2b88aee261p-49, 0x1.e91b5ff338fdfp-51, 0x1.d8bcd93589fb7p-53, 0x1.2278729d49924p-54,
+    0x1.a7570d8d82923p-56, 0x1.d48e43d6b0685p-58, 0x1.c8730fcc799b6p-60, 0x1.19fd2b6f156fdp-61
+};
+GS_TABLE(gs_phi1m_tail_c7) = {
+    -0x1.5af20eb127f20p-39, -0x1.294b16c337bf9p-41, -0x1.bb8db5b282e01p-44, -0x1.bb214d3ad8822p-46,
+    -0x1.0fd2111198199p-47, -0x1.e5ecc2171544bp-50, -0x1.78778ce095799p-52, -0x1.81f83d582da74p-54,
+    -0x1.e283c1c7c757bp-56, -0x1.b81c39fb3238fp-58, -0x1.5b431a05be055p-60, -0x1.688916bd07a6dp-62,
+    -0x1.c6e12a3576b1fp-64, -0x1.a30a4b160a02dp-66, -0x1.4d9f3301ac27cp-68, -0x1.5c878c4d9e759p-70
+};
+GS_TABLE(gs_phi1m_tail_c8) = {
+    0x1.88ff851b9fac4p-44, 0x1.15c35943dca7ap-46, 0x1.4ff225a35976fp-49, 0x1.1a313a18bca34p-51,
+    0x1.2aa713da32a68p-53, 0x1.bab16e5128547p-56, 0x1.175973aa5b9f3p-58, 0x1.e32b7cfd17fa1p-61,
+    0x1.05264ba71e7e7p-62, 0x1.8c059a4d8fb8ep-65, 0x1.fe2e6d7c21d23p-68, 0x1.bf8043f1247e6p-70,
+    0x1.e8c4cf9a6ba8ep-72, 0x1.76c1e21dfeab1p-74, 0x1.e7b15a7590086p-77, 0x1.aec58161041f0p-79
+};
+GS_TABLE(gs_phi1m_tail_c9) = {
+    -0x1.bd28a000f165fp-49, -0x1.0384cf3fcd08dp-51, -0x1.fce3dbc6f6030p-55, -0x1.6768d471795f0p-57,
+    -0x1.48222f0e4e825p-59, -0x1.934fc1e466f16p-62, -0x1.9e92687c2df36p-65, -0x1.2e6caad40e364p-67,
+    -0x1.1aaea003c8d98p-69, -0x1.645a751bc5e07p-72, -0x1.76c4b381a741cp-75, -0x1.15b8dcf53082cp-77,
+    -0x1.06976e1b51326p-79, -0x1.4f28394132f49p-82, -0x1.6475704a65ad6p-85, -0x1.0a35d4e384b96p-87
+};
+GS_TABLE(gs_phi1m_tail_c10) = {
+    0x1.f839f0948c856p-54, 0x1.e4f097ec32b09p-57, 0x1.816e78f53e2c7p-60, 0x1.c9c16016390b3p-63,
+    0x1.68863eb02182dp-65, 0x1.6f6e038bc1163p-68, 0x1.339fd6ce6ad0dp-71, 0x1.7a95cdb636182p-74,
+    0x1.31fd6de28a642p-76, 0x1.40a7c768a00edp-79, 0x1.134bcf27c7a05p-82, 0x1.58b649ccb9931p-85,
+    0x1.1a27ae73d9878p-87, 0x1.2bbd20332788bp-90, 0x1.0489bb244995fp-93, 0x1.49070d9cd6198p-96
+};
+GS_TABLE(gs_phi1m_tail_c11) = {
+    -0x1.1d80dbf9fd5aap-58, -0x1.c4950ffe016e5p-62, -0x1.23c9bbe1df82fp-65, -0x1.23704097b03cbp-68,
+    -0x1.8c0fece9d402ap-71, -0x1.4e68617b8f8ddp-74, -0x1.c856091e24ff2p-78, -0x1.d9d2cefc3de1dp-81,
+    -0x1.4b2e0bcc8c19cp-83, -0x1.2042d3b4515e7p-86, -0x1.94490c064f57ap-90, -0x1.abc589e5d32c0p-93,
+    -0x1.2f24061b3ca7ap-95, -0x1.0bd104a823d60p-98, -0x1.7cb42d7b75117p-102, -0x1.96959cfdeaa19p-105
+};
+GS_TABLE(gs_phi1m_tail_c12) = {
+    0x1.434eead7c68e8p-63, 0x1.a6d8fec9de561p-67, 0x1.b9ff97f91f6f1p-71, 0x1.732f721b22e44p-74,
+    0x1.b3289208998aep-77, 0x1.30a7fa0fff980p-80, 0x1.529d5629a92e1p-84, 0x1.2892f87ad4bcep-87,
+    0x1.667c882be3f71p-90, 0x1.03626003e2a34p-93, 0x1.28fa86721649fp-97, 0x1.097a488c25f6bp-100,
+    0x1.45b9a551a5e88p-103, 0x1.df076923ccbafp-107, 0x1.164246e28cbfdp-110, 0x1.f6868d3308f7ep-114
+};
+GS_TABLE(gs_phi1m_tail_c13) = {
+    -0x1.74fa57e0570c5p-68, -0x1.a05a93354c69cp-72, -0x1.5a6962b49508cp-76, -0x1.e442a67e68d7ep-80,
+    -0x1.e6b88593257a4p-83, -0x1.23bd409b8f317p-86, -0x1.03a369a376163p-90, -0x1.7bfbf175872d5p-94,
+    -0x1.8ad2331d42caap-97, -0x1.ea0cb69c8d556p-101, -0x1.c28d6dbb61b70p-105, -0x1.511f4213807b6p-108,
+    -0x1.640364e628eafp-111, -0x1.c17880a7328c1p-115, -0x1.a3e80e1056121p-119, -0x1.3da94b86bf745p-122
+};
+GS_TABLE(gs_phi1m_tail_c14) = {
+    0x1.a5ecf070add7dp-73, 0x1.84fadce05a47cp-77, 0x1.065ef11ff6393p-81, 0x1.34627bd405f20p-85,
+    0x1.0b621271c7beep-88, 0x1.09c8a82ef8e31p-92, 0x1.81517e59ba60cp-97, 0x1.dbad4ed077255p-101,
+    0x1.ab60035eff3bbp-104, 0x1.b8f564e173ed7p-108, 0x1.4af721f5ff0e5p-112, 0x1.a270a66abf1fdp-116,
+    0x1.7e896c25c7801p-119, 0x1.91f8d902a2cf1p-123, 0x1.32e9909559c53p-127, 0x1.889e919160d01p-131
+};
+
+static inline gs_v gs_phi1m_tail_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4111, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi1m_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_phi1m_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_phi1m_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_phi1m_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_phi1m_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_phi1m_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_phi1m_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_phi1m_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi1m_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi1m_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi1m_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi1m_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi1m_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi1m_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_phi1m_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_phi1m_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_phi1m_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_phi1m_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_phi1m_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4111, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi1m_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_phi1m_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_phi1m_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_phi1m_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_phi1m_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_phi1m_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_phi1m_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_phi1m_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi1m_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi1m_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi1m_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi1m_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi1m_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi1m_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_phi1m_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_phi1m_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_phi1m_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_phi1m_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x >= 446.25 */
 static inline gs_v gs_phi1m_far(gs_v x)
 {
     const gs_v r = gs_div(gs_v_of(0x1.0000000000000p+0), x);
@@ -207,8 +392,12 @@ static inline gs_v gs_phi1m_far(gs_v x)
 static GS_RARE gs_v gs_phi1m_outside(gs_v x, gs_v r, gs_v *lo)
 {
     gs_v tail, rest;
-    const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.6800000000000p+5));
-    tail = gs_phi1m_far(gs_select(beyond, x, gs_v_of(0x1.6800000000000p+5)));
+    const gs_mask here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+    tail = gs_phi1m_tail_near(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+    tail = gs_phi1m_far(gs_select(beyond, x, gs_v_of(0x1.be40000000000p+8)));
     rest = gs_v_of(0.0);
     *lo = gs_select(beyond, rest, *lo);
     return gs_refuse_negative(x, gs_select(beyond, tail, r), lo);
@@ -217,131 +406,131 @@ static GS_RARE gs_v gs_phi1m_outside(gs_v x, gs_v r, gs_v *lo)
 /* (1 - exp(-z))/z: the nearest double but for a little, and the rest. */
 static inline gs_v gs_phi1m_value(gs_v x, gs_v *lo)
 {
-    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.6800000000000p+5));
+    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
     const gs_v r = gs_phi1m_near(gs_select(here, x, gs_v_of(0x0.0p+0)), lo);
     return gs_all(here) ? r : gs_phi1m_outside(x, r, lo);
 }
 
-/* (z - 1 + exp(-z))/z^2, on [0.0, 45.0): degree 15 on each of 16 pieces. */
+/* (z - 1 + exp(-z))/z^2, on [0.0, 26.25): degree 15 on each of 16 pieces. */
 GS_TABLE(gs_phi2m_centre) = {
-    0x0.0p+0, 0x1.8000000000000p-1, 0x1.8000000000000p+0, 0x1.4000000000000p+1,
-    0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.8000000000000p+2, 0x1.0000000000000p+3,
-    0x1.4000000000000p+3, 0x1.8000000000000p+3, 0x1.e000000000000p+3, 0x1.3000000000000p+4,
-    0x1.7000000000000p+4, 0x1.b000000000000p+4, 0x1.0800000000000p+5, 0x1.4800000000000p+5
+    0x0.0p+0, 0x1.ff80000000000p-2, 0x1.0000000000000p+0, 0x1.8000000000000p+0,
+    0x1.0000000000000p+1, 0x1.6000000000000p+1, 0x1.e000000000000p+1, 0x1.3000000000000p+2,
+    0x1.7000000000000p+2, 0x1.d000000000000p+2, 0x1.2800000000000p+3, 0x1.6800000000000p+3,
+    0x1.a800000000000p+3, 0x1.0400000000000p+4, 0x1.4400000000000p+4, 0x1.8400000000000p+4
 };
 GS_TABLE(gs_phi2m_c0) = {
-    0x1.0000000000000p-1, 0x1.94ce531aa50e1p-2, 0x1.491ac5249a2b1p-2, 0x1.033574524ad9bp-2,
-    0x1.a701f82ddc3eap-3, 0x1.63194ca7d4d3fp-3, 0x1.1c95e091ac951p-3, 0x1.c0057f0841041p-4,
-    0x1.70a450e8d58c4p-4, 0x1.38e399ad056fbp-4, 0x1.fdb975ebc8211p-5, 0x1.987722c199e9fp-5,
-    0x1.54b026b6f3f3bp-5, 0x1.242b8b69b3896p-5, 0x1.e1709a3611656p-6, 0x1.85dcf9259d9edp-6
+    0x1.0000000000000p-1, 0x1.b46a36a5c3802p-2, 0x1.78b56362cef38p-2, 0x1.491ac5249a2b1p-2,
+    0x1.22a555477f039p-2, 0x1.eb3aca9dd10eep-3, 0x1.93ec3c795c067p-3, 0x1.552c52087e287p-3,
+    0x1.266d82b5d2211p-3, 0x1.e718366940ec3p-4, 0x1.8af1a833afc77p-4, 0x1.4bb9d18191e3fp-4,
+    0x1.1dcd2825f8467p-4, 0x1.d919a188af770p-5, 0x1.8090d622a3dffp-5, 0x1.43e249f38bad2p-5
 };
 GS_TABLE(gs_phi2m_c0_lo) = {
-    0x0.0p+0, -0x1.b23a8f771ce55p-56, 0x1.96152ca96990bp-57, 0x1.0ef4a90dad423p-58,
-    -0x1.e109905cba00ap-57, 0x1.205c11d2c02acp-57, -0x1.d9d91a4ec384fp-57, -0x1.8534560b1e79fp-58,
-    -0x1.163565aad7483p-64, -0x1.d61a04d45d8eap-59, 0x1.3de8c9e9932f1p-60, -0x1.416b809aef3bap-60,
-    0x1.45b5a924df29ap-60, -0x1.7ff76c38e3792p-59, 0x1.52fe1aae2121cp-60, 0x1.aef1422636ce3p-60
+    0x0.0p+0, 0x1.c05466c8e3386p-59, -0x1.ca8a4270faf1dp-57, 0x1.96152cb545669p-57,
+    0x1.cfedbb757092bp-56, 0x1.d0b0bdc0b0a02p-61, -0x1.dbc57cd4c02eap-58, 0x1.4961e2bd03a94p-58,
+    0x1.41bbdbba79011p-58, 0x1.deeb3373352fbp-59, 0x1.ed9415eabef16p-59, 0x1.d42234401d278p-58,
+    0x1.ed4d00ef65dd5p-58, 0x1.2df867310a0e3p-59, 0x1.f647a4665fe82p-59, 0x1.fef7b82df01ebp-59
 };
 GS_TABLE(gs_phi2m_c1) = {
-    -0x1.5555555555555p-3, -0x1.dbd2183174cdep-4, -0x1.54f9daaaf43cbp-4, -0x1.c7ce8b07690b9p-5,
-    -0x1.3e5585b28cf73p-5, -0x1.ce79aeafd43bfp-6, -0x1.30e95b6730e06p-6, -0x1.8036f6528a286p-7,
-    -0x1.06296f219ba8dp-7, -0x1.7b43349dbacf4p-8, -0x1.f8dec0b38257bp-9, -0x1.44dc8195945ecp-9,
-    -0x1.c474908289758p-10, -0x1.4cf5167cd85dep-10, -0x1.c442fd789bfcfp-11, -0x1.28ad267e078e2p-11
+    -0x1.5555555555555p-3, -0x1.0b8ed11294c4cp-3, -0x1.a880a8a1b369dp-4, -0x1.54f9daaaf43cbp-4,
+    -0x1.152aaa3bf81ccp-4, -0x1.9f0a8f2b18c3ep-5, -0x1.24dc1d9301387p-5, -0x1.ad562b53137b0p-6,
+    -0x1.454ee5923dea3p-6, -0x1.c3fff6674735fp-7, -0x1.2c362d352ad2ep-7, -0x1.a9c4665678f56p-8,
+    -0x1.3cf248c4e0d7bp-8, -0x1.b346a9591dc50p-9, -0x1.2011dda35a3eap-9, -0x1.9902bfa267983p-10
 };
 GS_TABLE(gs_phi2m_c1_lo) = {
-    -0x1.553609a2cd4a8p-57, 0x1.c1607050a3a33p-59, -0x1.78c5a1440e891p-59, 0x1.8479c6fdccf80p-62,
-    0x1.e8783b5069497p-60, 0x1.85e90ead7db6dp-61, 0x1.13b4070151c27p-60, -0x1.97eaeaba2a983p-62,
-    0x1.ed0fb8e8beda7p-62, 0x1.239d73e1c4059p-62, -0x1.674518c2b2fc4p-63, 0x1.d6847da00a10bp-63,
-    0x1.866c12d06ad70p-64, 0x1.c4cdf42053754p-65, -0x1.fc4f841112781p-67, 0x1.745eb30631ba1p-65
+    -0x1.5545b20d326c1p-57, 0x1.881489edcb328p-57, -0x1.40c2715a1ec21p-58, -0x1.78c5a14688293p-59,
+    0x1.809224547b4ccp-58, -0x1.cf5bb5b11fa99p-64, -0x1.802ae79f61c2ap-59, 0x1.1b82c13f5f670p-60,
+    0x1.0ce9ceab81701p-60, 0x1.9843e527a2e5ep-62, -0x1.e4fb56b5011cdp-62, -0x1.ed2f54308d202p-62,
+    -0x1.253cc46af0067p-62, -0x1.0be4839c69d1fp-64, -0x1.9ab545096d6eap-63, -0x1.b74cff7ffbf42p-64
 };
 GS_TABLE(gs_phi2m_c2) = {
-    0x1.5555555555555p-5, 0x1.b846d0d25a1f9p-6, 0x1.22a1af3e83312p-6, 0x1.5a9d14debbf4dp-7,
-    0x1.af04973828572p-8, 0x1.1702c3f55cf29p-8, 0x1.37ae2162377cap-9, 0x1.41184ea4f3ce0p-10,
-    0x1.6f2ce4582f59ep-11, 0x1.c724519e67712p-12, 0x1.f11ac3238cda9p-13, 0x1.0179ab43d8380p-13,
-    0x1.2bc36bf6134b2p-14, 0x1.7ad4dd48d66b0p-15, 0x1.a868e7db09299p-16, 0x1.c33ae7c5edb66p-17
+    0x1.5555555555555p-5, 0x1.fc6f009b21b5fp-6, 0x1.7e5a29f723b2cp-6, 0x1.22a1af3e83312p-6,
+    0x1.be7ffc1bb9029p-7, 0x1.3298665d7bc20p-7, 0x1.812fd2e96f14bp-8, 0x1.f78e8650c1707p-9,
+    0x1.55950d438348ap-9, 0x1.9633d0be1be0ap-10, 0x1.c00900279db73p-11, 0x1.0e11a2ebc630fp-11,
+    0x1.5cb6b534fbf29p-12, 0x1.8e810d7e49a97p-13, 0x1.ae471b9778402p-14, 0x1.01bbed644f9b5p-14
 };
 GS_TABLE(gs_phi2m_c3) = {
-    -0x1.1111111111064p-7, -0x1.4e471ae5f352ap-8, -0x1.a1034931c830cp-9, -0x1.ca6972b5791aep-10,
-    -0x1.05519eb10ecabp-10, -0x1.352662e745674p-11, -0x1.2d1d88459e28bp-12, -0x1.03cea9b7b4219p-13,
-    -0x1.f87627da0f20fp-15, -0x1.0dcb11c9823fbp-15, -0x1.e6113909b5980p-17, -0x1.968a445959538p-18,
-    -0x1.8c357f70e6c38p-19, -0x1.ae471af2ee4fcp-20, -0x1.8dd4a17b185c5p-21, -0x1.56e96589995fcp-22
+    -0x1.1111111110fb6p-7, -0x1.89060ce6df79bp-8, -0x1.1d003f11311e0p-8, -0x1.a1034931c830cp-9,
+    -0x1.33c70f2f0e1bap-9, -0x1.8cf2df501f538p-10, -0x1.c8c2a3894c2b4p-11, -0x1.10ae85cce9c12p-11,
+    -0x1.519aefa71a4b8p-12, -0x1.5ed0a240eb60fp-13, -0x1.46a754f76b66dp-14, -0x1.51bc90fdff67bp-15,
+    -0x1.7c0aeee63560fp-16, -0x1.6ac331c75f9e6p-17, -0x1.404398efa24d5p-18, -0x1.44190f079d327p-19
 };
 GS_TABLE(gs_phi2m_c4) = {
-    0x1.6c16c16c041acp-10, 0x1.ad4ee90226f79p-11, 0x1.01054134fd227p-11, 0x1.0a127bbe11dacp-12,
-    0x1.1c143b6deba3bp-13, 0x1.3942e8d9da8e4p-14, 0x1.10f1454eaff2dp-15, 0x1.945e149643a1ap-17,
-    0x1.526c69a72f763p-18, 0x1.3b1de07a23906p-19, 0x1.d76122cf4cf9ep-21, 0x1.3f86f28120213p-22,
-    0x1.051dfd7e67a4cp-23, 0x1.e7c9651d54524p-25, 0x1.7478f77d33b18p-26, 0x1.0467a9c0c0084p-27
+    0x1.6c16c16bcbb1bp-10, 0x1.ff50633773836p-11, 0x1.6931a5152fd21p-11, 0x1.01054134fd227p-11,
+    0x1.707179da7eb72p-12, 0x1.c58522baf7cb1p-13, 0x1.e81599698982ap-14, 0x1.0f55aedc28fd3p-14,
+    0x1.37dc39cb37cacp-15, 0x1.2110e4df8e71ep-16, 0x1.ceeee872820d7p-18, 0x1.9ef99b83f018cp-19,
+    0x1.99779bf46521cp-20, 0x1.48089ffa1cb69p-21, 0x1.daf3cbeb284e8p-23, 0x1.968e4846305b0p-24
 };
 GS_TABLE(gs_phi2m_c5) = {
-    -0x1.a01a018eab088p-13, -0x1.dd081d0ec5378p-14, -0x1.14e8d15c0a65ep-14, -0x1.11e5f6625e4cbp-15,
-    -0x1.1608cc5d2856ap-16, -0x1.2226353ac58cdp-17, -0x1.ce12a957189b1p-19, -0x1.2cd880f27cf3fp-20,
-    -0x1.b94e83b91e329p-22, -0x1.69713eee7efb0p-23, -0x1.c4ab94fddd82bp-25, -0x1.f3b7b7966b6fdp-27,
-    -0x1.571c5036597d0p-28, -0x1.13eb74e88afc8p-29, -0x1.5c4937364a6cep-31, -0x1.8b31c96cac300p-33
+    -0x1.a01a01135551ep-13, -0x1.1ed808a3d5eb9p-13, -0x1.8d5c11aad6171p-14, -0x1.14e8d15c0a65ep-14,
+    -0x1.8442aaaf9d7cfp-15, -0x1.cd36aab29cd8bp-16, -0x1.d75b15f6df4e3p-17, -0x1.ef6c674dc1137p-18,
+    -0x1.0c1bdf1fff382p-18, -0x1.c3cc427236e6bp-20, -0x1.3d1b560787c3dp-21, -0x1.f31141a3d4893p-23,
+    -0x1.b3180a903ef82p-24, -0x1.264fb68d98062p-25, -0x1.5eaa1ecce502bp-27, -0x1.fc9ddd845f2afp-29
 };
 GS_TABLE(gs_phi2m_c6) = {
-    0x1.a019f7bdb2276p-16, 0x1.d2b82cace4ca2p-17, 0x1.0880cfe9467fap-17, 0x1.f9051839899e0p-19,
-    0x1.ecbee04b44e8dp-20, 0x1.ec38f4f006bf7p-21, 0x1.6c6a481cbb7f8p-22, 0x1.a9ea4dd668df0p-24,
-    0x1.1653381ccece3p-25, 0x1.95accf2044e39p-27, 0x1.ada188b083dffp-29, 0x1.847638dca7189p-31,
-    0x1.c14a99a3a660bp-33, 0x1.37719f05c641fp-34, 0x1.45392983b7676p-36, 0x1.2ba1bbdcd7a1ap-38
+    0x1.a01961974bc10p-16, 0x1.1ac39e0c881e0p-16, 0x1.81c4863c42e02p-17, 0x1.0880cfe9467eap-17,
+    0x1.6c8820e5b7c7cp-18, 0x1.a52c90b533d6bp-19, 0x1.9d4c392e12a76p-20, 0x1.9f66f708b7400p-21,
+    0x1.ac4aecc019d71p-22, 0x1.4d6fe37923625p-23, 0x1.a1e1234951554p-25, 0x1.248c7823e68f0p-26,
+    0x1.c6ad4d0225a16p-28, 0x1.059cc5b33cf30p-29, 0x1.01a10ed477893p-31, 0x1.3d31bb8fb3449p-33
 };
 GS_TABLE(gs_phi2m_c7) = {
-    -0x1.71da99fc280abp-19, -0x1.97aea84d31071p-20, -0x1.c5571ee74cfa8p-21, -0x1.a4b9a4ab16002p-22,
-    -0x1.8db8ea4e10a6ap-23, -0x1.7f97869d74b2ap-24, -0x1.0ba9a5e042d7cp-25, -0x1.1ddf8b2d8591cp-27,
-    -0x1.5225e75e8717cp-29, -0x1.bbe3db5aef888p-31, -0x1.9219e663c6e0fp-33, -0x1.2be87be4770b7p-35,
-    -0x1.2504a0fee1cebp-37, -0x1.5ea9ac24a732ap-39, -0x1.2f3d0e4815577p-41, -0x1.c5f6239a43d2bp-44
+    -0x1.716892311c904p-19, -0x1.f0f8467fb2858p-20, -0x1.4ee4c32d539b9p-20, -0x1.c5571ee74cf9bp-21,
+    -0x1.342241fddc832p-21, -0x1.5c393e595c71ep-22, -0x1.4aca09cc4e3b2p-23, -0x1.40b832d3fe068p-24,
+    -0x1.3ddea99a85845p-25, -0x1.cf9db4c67b3d5p-27, -0x1.07bf896ac550bp-28, -0x1.4d02073a99474p-30,
+    -0x1.d1d58f6c9ef4ep-32, -0x1.cbfd46b5f3eacp-34, -0x1.7869a460371aap-36, -0x1.8a4d4be4104a1p-38
 };
 GS_TABLE(gs_phi2m_c8) = {
-    0x1.26ff834d4bddcp-22, 0x1.41875a0c9f931p-23, 0x1.6003d94578932p-24, 0x1.3f45a7f473533p-25,
-    0x1.2629442198b91p-26, 0x1.13b6a782f8632p-27, 0x1.6e8a27ba88bd4p-29, 0x1.6b2173d121e9ep-31,
-    0x1.8a52886ec3a25p-33, 0x1.d7d0acbb77b39p-35, 0x1.722d788f85de5p-37, 0x1.cb606b4646e4dp-40,
-    0x1.7c81d45cd7ad2p-42, 0x1.89ba1f6ff192dp-44, 0x1.1a49969aea1e6p-46, 0x1.57931e8c87130p-49
+    0x1.db4968d06873cp-23, 0x1.89dfb3c48d565p-23, 0x1.06cb6de32d0cdp-23, 0x1.6003d945802ffp-24,
+    0x1.d937cebabb5b0p-25, 0x1.06a17cb47ac47p-25, 0x1.e5f681dbde192p-27, 0x1.c98c36fec7a08p-28,
+    0x1.b70a0b0232a2fp-29, 0x1.2f473e0f5244bp-30, 0x1.3deae81d1a528p-32, 0x1.6eb0a226a8a69p-34,
+    0x1.d2697ea4dc7aep-36, 0x1.8f27b0f8680c6p-38, 0x1.112dd8184be56p-40, 0x1.e84cf98c229f8p-43
 };
 GS_TABLE(gs_phi2m_c9) = {
-    -0x1.6019a1fe6119ep-26, -0x1.ce2a204783920p-27, -0x1.f37f29f2c3ec2p-28, -0x1.bc83f343b6d3dp-29,
-    -0x1.90f6bda128090p-30, -0x1.6f0e555530631p-31, -0x1.d4c008db6627ep-33, -0x1.b415a791862a3p-35,
-    -0x1.b8311a1df1766p-37, -0x1.e5958061491d0p-39, -0x1.4e51d44c4a347p-41, -0x1.5c866d795e1dcp-44,
-    -0x1.eb9e56f55f2e4p-47, -0x1.b8b771b924b5fp-49, -0x1.0653e71b0afedp-51, -0x1.03c6a6b63609dp-54
+    0x1.30e5f0d259145p-21, -0x1.1c3b637bfae81p-26, -0x1.7829fed5e8c54p-27, -0x1.f37f29f2ca472p-28,
+    -0x1.4ca7ce9dc7549p-28, -0x1.6bcceff73deffp-29, -0x1.495496f177517p-30, -0x1.2ea7dbaedf32cp-31,
+    -0x1.1abc889d75febp-32, -0x1.755d011b322a5p-34, -0x1.6d27783f511b3p-36, -0x1.8560ded77204fp-38,
+    -0x1.c6f0f1bff1238p-40, -0x1.551d0c8ceafa2p-42, -0x1.897e291f31c9ep-45, -0x1.2d0f2b2a10afcp-47
 };
 GS_TABLE(gs_phi2m_c10) = {
-    -0x1.06341b8591418p-26, 0x1.3109fa20d4c47p-30, 0x1.461dd9bbbad7ap-31, 0x1.1da22fb7fba66p-32,
-    0x1.fa3d0571cf65ep-34, 0x1.c66206b6bc7dep-35, 0x1.188c91425c578p-36, 0x1.ef1a780b60759p-39,
-    0x1.d59447d4a8d12p-41, 0x1.e295d964e0f7dp-43, 0x1.276965d0a0283p-45, 0x1.05891f0e208e3p-48,
-    0x1.3bbe39333190dp-51, 0x1.eb9c64a2b1530p-54, 0x1.e6a4bf21a280dp-57, 0x1.886cbbbdc8c98p-60
+    -0x1.2f1eab3ac4c1dp-18, 0x1.787d8dcd66a9dp-30, 0x1.eece8620f1e61p-31, 0x1.461dd99ba2e2ap-31,
+    0x1.af05a024dddf1p-32, 0x1.d18cdb13d14f4p-33, 0x1.9dd52e06543b9p-34, 0x1.74b28ae9827ebp-35,
+    0x1.5475504d9e06dp-36, 0x1.b0ddeb88c99c6p-38, 0x1.8f2b0c64b0bfdp-40, 0x1.8dbe3345442e6p-42,
+    0x1.af0fd4772dd1ap-44, 0x1.1e698c115f741p-46, 0x1.18e21779b2372p-49, 0x1.716c2e0c512cdp-52
 };
 GS_TABLE(gs_phi2m_c11) = {
-    0x1.88ff88301b24dp-25, -0x1.743a91370ba1bp-34, -0x1.8a476ebe08966p-35, -0x1.54b0eda1afc7ep-36,
-    -0x1.29684e1eed828p-37, -0x1.06886b37e7a7ap-38, -0x1.3b1f6da26fa0fp-40, -0x1.09e20a63e0a14p-42,
-    -0x1.de34f868fde2ep-45, -0x1.ce2556cb7c66cp-47, -0x1.fd7900e0b20b8p-50, -0x1.838cd402f2480p-53,
-    -0x1.92dbccb734065p-56, -0x1.11200db507a4ep-58, -0x1.c2726e4d3a939p-62, -0x1.2812c31d81b46p-65
+    0x1.91822702c638ap-16, -0x1.ccc5116d95672p-34, -0x1.2cfdbbd44727ep-34, -0x1.8a476ea33d38dp-35,
+    -0x1.02d7f17fbcdb5p-35, -0x1.14a4a8a6c806fp-36, -0x1.e44c141fecba5p-38, -0x1.acc43dea7247bp-39,
+    -0x1.805777ee290c5p-40, -0x1.d940e58c60169p-42, -0x1.9f1cc3da8be06p-44, -0x1.8623295597edfp-46,
+    -0x1.8bc613b695194p-48, -0x1.d76ab210ba511p-51, -0x1.8cde90a1a2eb7p-54, -0x1.c2c755f69f1bep-57
 };
 GS_TABLE(gs_phi2m_c12) = {
-    -0x1.6334e3b36aebdp-24, 0x1.a642ed2569f3ep-38, 0x1.bbb6a82a0cc7cp-39, 0x1.7af8c95c320f1p-40,
-    0x1.46984c4a08133p-41, 0x1.1c3977ea06ac8p-42, 0x1.4cfc9c07105e4p-44, 0x1.0e6f6b891693ep-46,
-    0x1.d0b4bfcf9c36bp-49, 0x1.a9c9d4c9fa8d7p-51, 0x1.ab7b5364d5400p-54, 0x1.1adef0a18105ap-57,
-    0x1.fdeca264192d5p-61, 0x1.2e1a7a451eecep-63, 0x1.9f818225c5e25p-67, 0x1.bdfe45e0dad3cp-71
+    -0x1.69debf8912905p-14, 0x1.06041858657e5p-37, 0x1.549013f37be80p-38, 0x1.bbb738a15f9b1p-39,
+    0x1.21a6bd623a508p-39, 0x1.32c6a58016340p-40, 0x1.0900fdc2969bbp-41, 0x1.ce7075664a484p-43,
+    0x1.97e642a3d284bp-44, 0x1.e8b499cf610ecp-46, 0x1.9ab916ddf913ap-48, 0x1.6f06bacade148p-50,
+    0x1.5f635dd39805ap-52, 0x1.7b2f35d0e18a7p-55, 0x1.14f4742fa0f93p-58, 0x1.1135715f4e684p-61
 };
 GS_TABLE(gs_phi2m_c13) = {
-    0x1.9f55ed4d55184p-24, -0x1.bf80ffc416882p-42, -0x1.d2fa3e3c1c193p-43, -0x1.8ad569b370683p-44,
-    -0x1.507f815bce6c4p-45, -0x1.21456b948b697p-46, -0x1.4bedc5e7cdca3p-48, -0x1.04e20f735e521p-50,
-    -0x1.af07091806648p-53, -0x1.7914f9d4a176ep-55, -0x1.5cc4f93142009p-58, -0x1.9656b82d3518ap-62,
-    -0x1.3fefebd0d600fp-65, -0x1.4c8906bf76d4cp-68, -0x1.7ec6c52ca76ebp-72, -0x1.4fa959d08f1fap-76
+    0x1.a73f60cacfe51p-13, -0x1.164b854f48fa5p-41, -0x1.681ae426c5f5dp-42, -0x1.d2fab6d95c8d3p-43,
+    -0x1.2f56d4112ea1bp-43, -0x1.3ec290e7246abp-44, -0x1.103bbdd8b5933p-45, -0x1.d51e6b114cd69p-47,
+    -0x1.9818bf8e2013ep-48, -0x1.dd9e8d5cbf84dp-50, -0x1.82eb2b3e1bbcdp-52, -0x1.4b0064a875d75p-54,
+    -0x1.2d424ec2e11cfp-56, -0x1.29cc66e01cf3fp-59, -0x1.7d71a921d24bfp-63, -0x1.48ce53977e510p-66
 };
 GS_TABLE(gs_phi2m_c14) = {
-    -0x1.1bffae857b3f2p-24, 0x1.bd5141bc5c2ffp-46, 0x1.cef8ec9c29916p-47, 0x1.83fb83ec5a72dp-48,
-    0x1.47724742bb9a9p-49, 0x1.167c59d48a225p-50, 0x1.3ca209bc92b4ep-52, 0x1.e38cee8f389a1p-55,
-    0x1.81e0cfeae6fc8p-57, 0x1.440f67fd1aa3bp-59, 0x1.1e2f1685d5004p-62, 0x1.271f598c69d6ep-66,
-    0x1.96d70f9810561p-70, 0x1.72be6d61e804fp-73, 0x1.7304b8417c49fp-77, 0x1.0576dbb05b33ap-81
+    -0x1.2180f7cb9ca9dp-12, 0x1.1579f2f27db36p-45, 0x1.65a1bbe96ef9cp-46, 0x1.cddc8011fdac5p-47,
+    0x1.2ab854530ad97p-47, 0x1.387def7973c53p-48, 0x1.0839c533d9020p-49, 0x1.c25848b0b8e45p-51,
+    0x1.830ffc27f898cp-52, 0x1.bfbd3f60c4863p-54, 0x1.5f2958fc73042p-56, 0x1.2112f78e3b974p-58,
+    0x1.f71089983dbb9p-61, 0x1.d761af487aaa3p-64, 0x1.09e5f1ba1761bp-67, 0x1.91078c9202982p-71
 };
 GS_TABLE(gs_phi2m_c15) = {
-    0x1.58b8f0674b1c0p-26, -0x1.a0f8139c5530ep-50, -0x1.af0dbfd465791p-51, -0x1.666dca1edf80ep-52,
-    -0x1.2bef04dec868dp-53, -0x1.f96d151a7f99ap-55, -0x1.1a9a81aef612bp-56, -0x1.a51ad4928982bp-59,
-    -0x1.464d473030d5cp-61, -0x1.08a03946aa943p-63, -0x1.b5eb8f0b74168p-67, -0x1.9758f032c98b6p-71,
-    -0x1.f330471dab5b6p-75, -0x1.930432349d13cp-78, -0x1.53aa2b7be0319p-82, -0x1.88653424360dep-87
+    0x1.5f802e7aa4f3ep-13, -0x1.042646eee736ep-49, -0x1.4e4676aa8bab5p-50, -0x1.ae20479ee6129p-51,
+    -0x1.1522b79a54fc6p-51, -0x1.20181e3dd4261p-52, -0x1.e2f54bceb2aaap-54, -0x1.97a845717a737p-55,
+    -0x1.5ab7c73725e01p-56, -0x1.89bca283e3a57p-58, -0x1.2c6c7b4e22c9fp-60, -0x1.dea8775b2aca3p-63,
+    -0x1.90bc83c4cfa53p-65, -0x1.5dfa91ff9ec26p-68, -0x1.621f7ef4f12a1p-72, -0x1.d9ba8284e71e7p-76
 };
 
 static inline gs_v gs_phi2m_near(gs_v x, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.8000000000000p+1));
-    const gs_index i = gs_piece(u, 4098, 50);
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4095, 50);
     const gs_v d = gs_sub(x, gs_pick(gs_phi2m_centre, i));
     const gs_v q15 = gs_pick(gs_phi2m_c15, i);
     const gs_v q14 = gs_fma(q15, d, gs_pick(gs_phi2m_c14, i));
@@ -378,8 +567,8 @@ static inline gs_v gs_phi2m_near(gs_v x, gs_v *lo)
 /* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
 static inline gs_v gs_phi2m_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.8000000000000p+1));
-    const gs_index i = gs_piece(u, 4098, 50);
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4095, 50);
     const gs_v d = gs_sub(x, gs_pick(gs_phi2m_centre, i));
     const gs_v q15 = gs_pick(gs_phi2m_c15, i);
     const gs_v q14 = gs_fma(q15, d, gs_pick(gs_phi2m_c14, i));
@@ -415,7 +604,192 @@ static inline gs_v gs_phi2m_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* x >= 45.0 */
+/* phi2m, continued, on [26.25, 446.25): degree 14 on each of 16 pieces. */
+GS_TABLE(gs_phi2m_tail_centre) = {
+    0x1.c400000000000p+4, 0x1.1200000000000p+5, 0x1.5200000000000p+5, 0x1.9200000000000p+5,
+    0x1.d200000000000p+5, 0x1.1900000000000p+6, 0x1.5900000000000p+6, 0x1.9900000000000p+6,
+    0x1.d900000000000p+6, 0x1.1c80000000000p+7, 0x1.5c80000000000p+7, 0x1.9c80000000000p+7,
+    0x1.dc80000000000p+7, 0x1.1e40000000000p+8, 0x1.5e40000000000p+8, 0x1.9e40000000000p+8
+};
+GS_TABLE(gs_phi2m_tail_c0) = {
+    0x1.17b7aa313301ep-5, 0x1.d065ea184e3c8p-6, 0x1.7a9bccb1b947ap-6, 0x1.3f8faabc829b8p-6,
+    0x1.147113e9dff68p-6, 0x1.cbcefe0833d90p-7, 0x1.7783947c41ab2p-7, 0x1.3d55d3bebd472p-7,
+    0x1.12c3b0c24d25ap-7, 0x1.c978a5fdd1b92p-8, 0x1.75f1e42acfe07p-8, 0x1.3c35ae9ab4972p-8,
+    0x1.11eaf82c0e41dp-8, 0x1.c84b37eb51a1dp-9, 0x1.7527da72e6973p-9, 0x1.3ba4e778fcadbp-9
+};
+GS_TABLE(gs_phi2m_tail_c0_lo) = {
+    -0x1.c48fdf324c4c0p-59, -0x1.f39f878ed9105p-64, 0x1.0a3f74c9226b9p-65, 0x1.4196c2968b1e1p-61,
+    -0x1.a71cdd149e7ddp-62, 0x1.e97af6a087992p-61, 0x1.12fe6919f6609p-62, 0x1.5e061355a5841p-62,
+    0x1.3dda1ae1ffc73p-61, -0x1.848f429f612cfp-63, 0x1.585a6792be37bp-62, 0x1.c892cfe41833fp-65,
+    0x1.4a79f0197a12dp-62, -0x1.9f36aa64bfe5fp-63, -0x1.6f8f105099586p-66, -0x1.6808615960435p-63
+};
+GS_TABLE(gs_phi2m_tail_c1) = {
+    -0x1.31387ab105a0bp-10, -0x1.a4d743373283dp-11, -0x1.17ce1c91a10bbp-11, -0x1.8ebd423282374p-12,
+    -0x1.2a6cb3f611519p-12, -0x1.9cd9e9f77758cp-13, -0x1.135facc51c60ep-13, -0x1.8953d878e69c6p-14,
+    -0x1.26e1fe2030a33p-14, -0x1.98babe1b60552p-15, -0x1.111b0f686594ap-15, -0x1.869232b3dbee0p-16,
+    -0x1.2515a7b97dc06p-16, -0x1.96a4bf2103ba6p-17, -0x1.0ff602442f29bp-17, -0x1.852ea683229bcp-18
+};
+GS_TABLE(gs_phi2m_tail_c1_lo) = {
+    -0x1.e744d53eefb29p-64, 0x1.0572b50e92648p-69, 0x1.f7872189768f4p-70, -0x1.4dd0089b7f6a5p-67,
+    -0x1.950ede6e4c5a0p-70, -0x1.be963e92dfb96p-68, 0x1.7b915d55fd4b0p-67, 0x1.bf9607d67f8cdp-68,
+    0x1.408c43c9d0f7ep-68, 0x1.fff6b0903d5a0p-71, 0x1.2edf204629b3ep-70, -0x1.61f91a02940c8p-71,
+    -0x1.bd0e8965cfd2cp-71, -0x1.4246ca06e13e2p-71, -0x1.28cf0cd5573bfp-71, -0x1.a891ef4cdb0afp-73
+};
+GS_TABLE(gs_phi2m_tail_c2) = {
+    0x1.4c90d2aacbb05p-15, 0x1.7d0097b478943p-16, 0x1.9d51036d7c7cdp-17, 0x1.f1525ce5d93a9p-18,
+    0x1.420dc6f3b935fp-18, 0x1.729c198328f1ap-19, 0x1.93d1e449fffcap-20, 0x1.e778193f53612p-21,
+    0x1.3c73683cde26cp-21, 0x1.6d298ead76342p-22, 0x1.8ee7a32b43278p-23, 0x1.e26878e632fe6p-24,
+    0x1.39963c708daf3p-24, 0x1.6a642df046004p-25, 0x1.8c6a1ca4148c5p-26, 0x1.dfd9a77b02a76p-27
+};
+GS_TABLE(gs_phi2m_tail_c3) = {
+    -0x1.69cad66c89c4ap-20, -0x1.5894f2dcb6d0ap-21, -0x1.31119a8a38303p-22, -0x1.35ffec46a1146p-23,
+    -0x1.5b70ab1fa9ed0p-24, -0x1.4c9de25e60f24p-25, -0x1.280bf53fa48f7p-26, -0x1.2e0a7b880b08dp-27,
+    -0x1.53921e4c68ca9p-28, -0x1.4638e6a0a6cc9p-29, -0x1.2350ab8492d13p-30, -0x1.29e992d09deb3p-31,
+    -0x1.4f846bd07ab8bp-32, -0x1.42f36448ed873p-33, -0x1.20e854b54a891p-34, -0x1.27d19ef779c51p-35
+};
+GS_TABLE(gs_phi2m_tail_c4) = {
+    0x1.88eb0c87c4bf3p-25, 0x1.374d60a64d9bcp-26, 0x1.c208d7394d424p-28, 0x1.8249e98e5d1dap-29,
+    0x1.76b33d27ac0b1p-30, 0x1.2a7356e0fbad0p-31, 0x1.b20242f1af3e5p-33, 0x1.7641b3ec87008p-34,
+    0x1.6c5a1b0583924p-35, 0x1.236b601882082p-36, 0x1.a97906976899ap-38, 0x1.6ff1b6021da91p-39,
+    0x1.66f98de9af1d2p-40, 0x1.1fcc8e213009ap-41, 0x1.a51bec727172dp-43, 0x1.6cbb4863f7304p-44
+};
+GS_TABLE(gs_phi2m_tail_c5) = {
+    -0x1.a9eeb26dd8dedp-30, -0x1.18e878d1a0068p-31, -0x1.4bb43fec83236p-33, -0x1.e11dee2318ee4p-35,
+    -0x1.93f4dce7b630dp-36, -0x1.0bbb21e09a239p-37, -0x1.3e155ecc28d5dp-39, -0x1.cfb086620ef07p-41,
+    -0x1.86e942d5d5bb6p-42, -0x1.0450d1d128b3bp-43, -0x1.36b21dc16ea41p-45, -0x1.c66d6f4f114eap-47,
+    -0x1.8010ba0ba1a86p-48, -0x1.00785ee1dea2cp-49, -0x1.32e65cff5aab8p-51, -0x1.c1b1fc83e5ccdp-53
+};
+GS_TABLE(gs_phi2m_tail_c6) = {
+    0x1.ccc9b92360232p-35, 0x1.fa53e5802db6cp-37, 0x1.e89a1a86feff7p-39, 0x1.2b75813f57be4p-40,
+    0x1.b3566f5ca3631p-42, 0x1.e03afd7546461p-44, 0x1.d22c09bfdf9efp-46, 0x1.1f3739b2492f1p-47,
+    0x1.a35f83f1a82eap-49, 0x1.d109d4b4573eep-51, 0x1.c5bf2dc64bcfbp-53, 0x1.189cb2fdba537p-54,
+    0x1.9ae6e565e4c24p-56, 0x1.c918fbc06a0d1p-58, 0x1.bf53b56614004p-60, 0x1.15395103d709bp-61
+};
+GS_TABLE(gs_phi2m_tail_c7) = {
+    -0x1.f1645ad8344dfp-40, -0x1.c7b4817b0cac2p-42, -0x1.67912c5a4f599p-44, -0x1.7494feb81c762p-46,
+    -0x1.d4fa5d2dc0224p-48, -0x1.ae96947dd6734p-50, -0x1.558c5e71267ccp-52, -0x1.63c58589a5187p-54,
+    -0x1.c1def85351e6cp-56, -0x1.9f5be06a21621p-58, -0x1.4b51a69c546a9p-60, -0x1.5a8d149e0cbc9p-62,
+    -0x1.b79b03b8d4004p-64, -0x1.97543c0e01e12p-66, -0x1.46006d98f7c02p-68, -0x1.55cc76485c8dfp-70
+};
+GS_TABLE(gs_phi2m_tail_c8) = {
+    0x1.0bcc1c9db8d23p-44, 0x1.998c6c49a1863p-47, 0x1.086229ca615ddp-49, 0x1.cf4cffe097029p-52,
+    0x1.f9048d3fa682dp-54, 0x1.81fa5bcd804aap-56, 0x1.f4665b78310e7p-59, 0x1.b8a437c880d2ep-61,
+    0x1.e28c09e5b4b03p-63, 0x1.72f74d1f840efp-65, 0x1.e3d49d77e0189p-68, 0x1.abf945a26c1a2p-70,
+    0x1.d64e2a58e357fp-72, 0x1.6af97eec7343cp-74, 0x1.db293ba2cac81p-77, 0x1.a5699d77f2764p-79
+};
+GS_TABLE(gs_phi2m_tail_c9) = {
+    -0x1.1f96816d2a621p-49, -0x1.6f7e29feb2a02p-52, -0x1.847146b958caep-55, -0x1.1fe29a4454722p-57,
+    -0x1.0fcd343dde94cp-59, -0x1.59e67aead5adcp-62, -0x1.6e81698c263aap-65, -0x1.10d8f5943c956p-67,
+    -0x1.02c6d308e6327p-69, -0x1.4b4d5075a91efp-72, -0x1.6142c50f91c49p-75, -0x1.0841bd90cbc67p-77,
+    -0x1.f723c23c57b7cp-80, -0x1.4372d1e9e45b1p-82, -0x1.5a480df138d42p-85, -0x1.03c8b162cc547p-87
+};
+GS_TABLE(gs_phi2m_tail_c10) = {
+    0x1.33ea21e0e0462p-54, 0x1.49312fe176b21p-57, 0x1.1d1512e47e5f1p-60, 0x1.658cd6f1f7ca7p-63,
+    0x1.247148cd96963p-65, 0x1.35e55cccaa0e1p-68, 0x1.0c641c56c2d3cp-71, 0x1.51db6ec08c682p-74,
+    0x1.158698d10da7fp-76, 0x1.27dc029c6da97p-79, 0x1.01ead3e212847p-82, 0x1.4653d12d9c250p-85,
+    0x1.0d20bea7db7a1p-87, 0x1.20386a3c176ebp-90, 0x1.f8b6050f489a4p-94, 0x1.404a61289f54ap-96
+};
+GS_TABLE(gs_phi2m_tail_c11) = {
+    -0x1.48897e9fa196cp-59, -0x1.2612c1425791cp-62, -0x1.a1da472450879p-66, -0x1.bbb17920f0edcp-69,
+    -0x1.3a7935448c8bcp-71, -0x1.154dc74da66c8p-74, -0x1.88dae16de0d07p-78, -0x1.a23847a2a8510p-81,
+    -0x1.2992b759f96fcp-83, -0x1.07f395776d419p-86, -0x1.78728c1dff02bp-90, -0x1.92e284e9f3127p-93,
+    -0x1.1fdf794d8b30ap-95, -0x1.0097bc54a08c1p-98, -0x1.6fa9862684638p-102, -0x1.8aceaaa09cb3dp-105
+};
+GS_TABLE(gs_phi2m_tail_c12) = {
+    0x1.5d425606f6021p-64, 0x1.06689e2ce0d06p-67, 0x1.3204c3b4a9506p-71, 0x1.132a0616fc138p-74,
+    0x1.520b9e32ff101p-77, 0x1.f09782ffd1690p-81, 0x1.1f95760b4c8e4p-84, 0x1.02ded0e6ccab9p-87,
+    0x1.3f13bf5d3bb40p-90, 0x1.d75f7fb6ed870p-94, 0x1.12d341cb2ffeap-97, 0x1.f17dc08225940p-101,
+    0x1.33f3e9112a382p-103, 0x1.c947b7c8a7807p-107, 0x1.0beea6eb72d14p-110, 0x1.e6c19e7bebd5cp-114
+};
+GS_TABLE(gs_phi2m_tail_c13) = {
+    -0x1.77c8678e1e66cp-69, -0x1.e9d6a8c9df5bbp-73, -0x1.ce23951e6fd01p-77, -0x1.5ce1c25e4f77dp-80,
+    -0x1.7171b225a6651p-83, -0x1.d261e03f786aap-87, -0x1.b298e719dd968p-91, -0x1.47c91bd3d0a50p-94,
+    -0x1.5bf64182e4414p-97, -0x1.b97d63edc5184p-101, -0x1.9e3046628df0dp-105, -0x1.3a2a20276623ap-108,
+    -0x1.4f0ae54b32683p-111, -0x1.ab56dc58c5198p-115, -0x1.930bf25890b59p-119, -0x1.32e4224846720p-122
+};
+GS_TABLE(gs_phi2m_tail_c14) = {
+    0x1.8bcb6f9b45b46p-74, 0x1.b2f1f7937b101p-78, 0x1.519a3e24b0098p-82, 0x1.b012b2f196a5ep-86,
+    0x1.8cbb797c42173p-89, 0x1.a1528b617b924p-93, 0x1.3e042d5b9d11dp-97, 0x1.95ae52e2d0b2ap-101,
+    0x1.7509bf93eaa22p-104, 0x1.8a29d155f0df8p-108, 0x1.2e5a9b15666f7p-112, 0x1.83ea8255002d5p-116,
+    0x1.6665ed0ed3d07p-119, 0x1.7cc670af12865p-123, 0x1.25b691a7e99aap-127, 0x1.7a5c2bdfda9eap-131
+};
+
+static inline gs_v gs_phi2m_tail_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4111, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi2m_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_phi2m_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_phi2m_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_phi2m_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_phi2m_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_phi2m_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_phi2m_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_phi2m_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi2m_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi2m_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi2m_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi2m_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi2m_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi2m_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_phi2m_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_phi2m_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_phi2m_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_phi2m_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_phi2m_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4111, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi2m_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_phi2m_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_phi2m_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_phi2m_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_phi2m_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_phi2m_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_phi2m_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_phi2m_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi2m_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi2m_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi2m_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi2m_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi2m_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi2m_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_phi2m_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_phi2m_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_phi2m_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_phi2m_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x >= 446.25 */
 static inline gs_v gs_phi2m_far(gs_v x)
 {
     const gs_v y = gs_div(gs_v_of(0x1.0000000000000p+0), x);
@@ -429,8 +803,12 @@ static inline gs_v gs_phi2m_far(gs_v x)
 static GS_RARE gs_v gs_phi2m_outside(gs_v x, gs_v r, gs_v *lo)
 {
     gs_v tail, rest;
-    const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.6800000000000p+5));
-    tail = gs_phi2m_far(gs_select(beyond, x, gs_v_of(0x1.6800000000000p+5)));
+    const gs_mask here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+    tail = gs_phi2m_tail_near(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+    tail = gs_phi2m_far(gs_select(beyond, x, gs_v_of(0x1.be40000000000p+8)));
     rest = gs_v_of(0.0);
     *lo = gs_select(beyond, rest, *lo);
     return gs_refuse_negative(x, gs_select(beyond, tail, r), lo);
@@ -439,7 +817,7 @@ static GS_RARE gs_v gs_phi2m_outside(gs_v x, gs_v r, gs_v *lo)
 /* (z - 1 + exp(-z))/z^2: the nearest double but for a little, and the rest. */
 static inline gs_v gs_phi2m_value(gs_v x, gs_v *lo)
 {
-    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.6800000000000p+5));
+    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
     const gs_v r = gs_phi2m_near(gs_select(here, x, gs_v_of(0x0.0p+0)), lo);
     return gs_all(here) ? r : gs_phi2m_outside(x, r, lo);
 }
@@ -1055,129 +1433,122 @@ static inline gs_v gs_flight_factor_value(gs_v x, gs_v *lo)
     return gs_all(here) ? r : gs_flight_factor_outside(x, r, lo);
 }
 
-/* (1 - exp(-T))/(2 b), T = (1 + b)(1 - exp(-T)), on [0.0, 15.0): degree 15 on each of 16 pieces. */
+/* (1 - exp(-T))/(2 b), T = (1 + b)(1 - exp(-T)), on [0.0, 7.5): degree 14 on each of 16 pieces. */
 GS_TABLE(gs_range_factor_centre) = {
-    0x0.0p+0, 0x1.8000000000000p-2, 0x1.4000000000000p-1, 0x1.c000000000000p-1,
-    0x1.4000000000000p+0, 0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1,
-    0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.6000000000000p+2, 0x1.a000000000000p+2,
-    0x1.0000000000000p+3, 0x1.4000000000000p+3, 0x1.8000000000000p+3, 0x1.c000000000000p+3
+    0x0.0p+0, 0x1.8000000000000p-3, 0x1.4000000000000p-2, 0x1.c000000000000p-2,
+    0x1.4000000000000p-1, 0x1.c000000000000p-1, 0x1.2000000000000p+0, 0x1.6000000000000p+0,
+    0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1, 0x1.a000000000000p+1,
+    0x1.0000000000000p+2, 0x1.4000000000000p+2, 0x1.8000000000000p+2, 0x1.c000000000000p+2
 };
 GS_TABLE(gs_range_factor_c0) = {
-    0x1.0000000000000p+0, 0x1.4efa64cc048b0p-1, 0x1.0c573c8dd0fc6p-1, 0x1.bc2a922bd4597p-2,
-    0x1.5d8fd3b5af021p-2, 0x1.0d4b1ebdef10ep-2, 0x1.b2b1da4964c5ep-3, 0x1.6ab66d79f8a3fp-3,
-    0x1.2125385fede7cp-3, 0x1.c5353905faac6p-4, 0x1.73cc5aa04a3ecp-4, 0x1.3ae6e4fc7cf9cp-4,
-    0x1.ffefce7277f70p-5, 0x1.9997d92f4b57ep-5, 0x1.555522c4e6014p-5, 0x1.2492434708574p-5
+    0x1.0000000000000p+0, 0x1.972cd2760a954p-1, 0x1.645dc1f964481p-1, 0x1.3bc15eb34f74fp-1,
+    0x1.0c573c8dd0fc6p-1, 0x1.bc2a922bd4597p-2, 0x1.78bcf0d8e4683p-2, 0x1.45bb1d20d27acp-2,
+    0x1.0d4b1ebdef10ep-2, 0x1.b2b1da4964c5ep-3, 0x1.6ab66d79f8a3fp-3, 0x1.364846663f5efp-3,
+    0x1.fc6d7d927f92cp-4, 0x1.9891bad495772p-4, 0x1.5505236941bd4p-4, 0x1.247917a9e7127p-4
 };
 GS_TABLE(gs_range_factor_c0_lo) = {
-    0x0.0p+0, 0x1.fdda3891a19b1p-58, 0x1.805f86cbb67d7p-55, -0x1.7ad3825ddbec3p-56,
-    0x1.2670790023b59p-58, -0x1.1d1767b16557cp-57, 0x1.7dfbef6a73164p-58, 0x1.69c53aa2bac4fp-58,
-    0x1.b348a93a33b75p-57, 0x1.6875e9616052dp-59, 0x1.95b902656b5cfp-61, -0x1.7fc38a2e99984p-60,
-    -0x1.f75fe2ec62158p-60, 0x1.4c5a8e76bf01ep-59, 0x1.048c10772a153p-63, 0x1.c2179f40ea026p-59
+    0x0.0p+0, -0x1.9ab6f1ef72f58p-56, -0x1.012acec87303cp-58, 0x1.273dcf584f91bp-57,
+    0x1.805faecbf37b4p-55, -0x1.7ad37ba134230p-56, -0x1.2fb4ddb8bd63ap-56, -0x1.256743678f3edp-56,
+    -0x1.1d12b149d9bbdp-57, 0x1.7dfc74b4264c6p-58, 0x1.69c545ccd40a8p-58, 0x1.333a2b1099548p-57,
+    -0x1.25a1952029e9ap-58, 0x1.5ad2b7329f1d2p-58, -0x1.96d6e004af881p-58, -0x1.323e8428e780cp-59
 };
 GS_TABLE(gs_range_factor_c1) = {
-    -0x1.5555555555555p+0, -0x1.44035c71ed0bap-1, -0x1.b5a489bed08c4p-2, -0x1.386f7efe890b8p-2,
-    -0x1.9665483547c98p-3, -0x1.f9d1fac8a8551p-4, -0x1.54bcd693dba51p-4, -0x1.e5ee1c6dfae15p-5,
-    -0x1.3c27a1f4f748ep-5, -0x1.8b178cfdfd515p-6, -0x1.0c1e3ebec8c3fp-6, -0x1.822aa65b6339cp-7,
-    -0x1.ff6e21357753ap-8, -0x1.479ea9d38d800p-8, -0x1.c719054f49e09p-9, -0x1.4e5da5e62b813p-9
+    -0x1.5555555555555p+0, -0x1.c8dc7dc2a56dfp-1, -0x1.695f14e56a061p-1, -0x1.23e8355c399eep-1,
+    -0x1.b5a489bed08c4p-2, -0x1.386f7efe890b8p-2, -0x1.d11e2ffb91381p-3, -0x1.65aa793818098p-3,
+    -0x1.f9d1fac8a8551p-4, -0x1.54bcd693dba51p-4, -0x1.e5ee1c6dfae15p-5, -0x1.69b1876124882p-5,
+    -0x1.edb9abeb5bb94p-6, -0x1.42ae04e3232e4p-6, -0x1.c42c66ee1bb5cp-7, -0x1.4d7739f7f9e5ap-7
 };
 GS_TABLE(gs_range_factor_c1_lo) = {
-    -0x1.5111fb2115532p-54, -0x1.091fe2345c7bdp-58, 0x1.8ff4ab07c9947p-59, -0x1.1d270da2a7221p-56,
-    -0x1.2a714d6cd7f73p-57, 0x1.b998fc60c99bcp-60, 0x1.f2cd3aa590c04p-61, -0x1.14b8418936c62p-60,
-    -0x1.00d29ff725131p-63, -0x1.922b9e4d76325p-61, -0x1.d080650afb1dap-62, 0x1.d4d4ceb814141p-61,
-    -0x1.88ec7e504e484p-63, -0x1.16bf41da255d0p-63, -0x1.3c0edb97e3467p-66, -0x1.b9476ef15de6bp-63
+    -0x1.55619284db481p-54, -0x1.b8c90d06230b5p-58, 0x1.4d82e62acda15p-56, -0x1.9a60d4983a6fap-58,
+    0x1.71fdab8b2afcap-59, -0x1.1d8435b4729c1p-56, -0x1.4959ed66f56d3p-60, 0x1.2bc2f0b628a4bp-61,
+    0x1.f5b2db821c17ap-61, 0x1.d9e5952843fd5p-61, -0x1.15ec4d4342579p-60, 0x1.267ac50a63ff1p-59,
+    -0x1.7c19893e4282ep-62, 0x1.02d5feeee419cp-60, 0x1.53fa89928823fp-63, -0x1.78e54900cea64p-61
 };
 GS_TABLE(gs_range_factor_c2) = {
-    0x1.8e38e38e38e33p+0, 0x1.147bfe0dc8009p-1, 0x1.3ccf9b14bc30fp-2, 0x1.88ca71e1361e8p-3,
-    0x1.aa99204bf2082p-4, 0x1.b2f65f9c3c7c8p-5, 0x1.efd07031bafe4p-6, 0x1.320454431bc27p-6,
-    0x1.4a893ae91bd10p-7, 0x1.4f22afd47ffebp-8, 0x1.7cba1dfa47dc2p-9, 0x1.d59fce730fd7dp-10,
-    0x1.fd6675c009161p-11, 0x1.05e0739e7b23fp-11, 0x1.2f595f2cd0acep-12, 0x1.7e1ef3643d657p-13
+    0x1.8e38e38e38e39p+0, 0x1.c245081bdacd8p-1, 0x1.42cbf4eb4a7c6p-1, 0x1.dcdbc7e2eb4c1p-2,
+    0x1.3ccf9b14bc30fp-2, 0x1.88ca71e1361e8p-3, 0x1.0256ea99945f2p-3, 0x1.63d7f1c987d82p-4,
+    0x1.b2f65f9c3c7c8p-5, 0x1.efd07031bafe4p-6, 0x1.320454431bc27p-6, 0x1.9103d0308f275p-7,
+    0x1.cecd39b66a40cp-8, 0x1.f3329bf3c1ba2p-9, 0x1.285b8c2af75d6p-9, 0x1.79eee87322876p-10
 };
 GS_TABLE(gs_range_factor_c3) = {
-    -0x1.b7f0d4629b1a3p+0, -0x1.be6ca7713d0bep-2, -0x1.b1e0ca7e3b922p-3, -0x1.d3225c0d74ccap-4,
-    -0x1.a7d0fccaf4f8fp-5, -0x1.627bba248bd2fp-6, -0x1.56a6bc3e6724fp-7, -0x1.6f40140c351fdp-8,
-    -0x1.4b4710fbc11a8p-9, -0x1.132bb9c93cc95p-10, -0x1.0832787bb5733p-11, -0x1.195cea0b415bap-12,
-    -0x1.f7f7de9abeedfp-14, -0x1.a1d5744e16490p-15, -0x1.9433bb3ce8d8fp-16, -0x1.b4a6043ae0d20p-17
+    -0x1.b7f0d4629b822p+0, -0x1.a3ff036e6b61dp-1, -0x1.10d31081ef24fp-1, -0x1.707a92394362ep-2,
+    -0x1.b1e0ca7e3b910p-3, -0x1.d3225c0d74cc6p-4, -0x1.0f8c010f3ccdep-4, -0x1.4f277eb09428fp-5,
+    -0x1.627bba248bcc0p-6, -0x1.56a6bc3e67240p-7, -0x1.6f40140c351fap-8, -0x1.a94a1f406d199p-9,
+    -0x1.a1d692db56954p-10, -0x1.779fd1d894c3ep-11, -0x1.7d5063733d548p-12, -0x1.a76689118f1a7p-13
 };
 GS_TABLE(gs_range_factor_c4) = {
-    0x1.d8cf5411842dap+0, 0x1.5e49f53d6b1ddp-2, 0x1.20a319c5818b0p-3, 0x1.0dc43530057b1p-4,
-    0x1.98bb182d6c1c7p-6, 0x1.1849b870c8331p-7, 0x1.cb4473e290362p-9, 0x1.ab3d9b6869c79p-10,
-    0x1.41debce61dd3ap-11, 0x1.b6e3f71dc4992p-13, 0x1.65a23753ee74ep-14, 0x1.4aad63ca4a20fp-15,
-    0x1.ed08c8324a4c6p-17, 0x1.4bed259022512p-18, 0x1.0cf0eef202656p-19, 0x1.f2c84ee721bb0p-21
+    0x1.d8cf5411b5224p+0, 0x1.7ce8e7a3af4c7p-1, 0x1.c0486d0fc7f6ep-2, 0x1.14b45c22552aep-2,
+    0x1.20a319c5818bfp-3, 0x1.0dc43530057b3p-4, 0x1.151dc6d039588p-5, 0x1.326323afab12dp-6,
+    0x1.1849b870c83a5p-7, 0x1.cb4473e29037bp-9, 0x1.ab3d9b6869c7dp-10, 0x1.b530c9846ed07p-11,
+    0x1.6df2ac52d361cp-12, 0x1.13078a5333d9cp-13, 0x1.dfd52747b140ep-15, 0x1.d296160c2e2b1p-16
 };
 GS_TABLE(gs_range_factor_c5) = {
-    -0x1.f3e65acbacb1ep+0, -0x1.0e39a3f32cf64p-2, -0x1.7972ef8e6a589p-4, -0x1.322a7285383dfp-5,
-    -0x1.833cbd7a85f0cp-7, -0x1.b350456ad2c13p-9, -0x1.2e2f8e77289b5p-10, -0x1.e7c7033c016dbp-12,
-    -0x1.329ef9a991244p-13, -0x1.56b438a108b5dp-15, -0x1.d9da129cabd95p-17, -0x1.7cff625d1288bp-18,
-    -0x1.db55138b6560fp-20, -0x1.05c9b873b7543p-21, -0x1.64e6c814bac28p-23, -0x1.1ca0a21784c45p-24
+    -0x1.f3e65ad857574p+0, -0x1.53bd132217c65p-1, -0x1.6a1e4f36d8facp-2, -0x1.988a62cddd424p-3,
+    -0x1.7972ef8e703fbp-4, -0x1.322a728539638p-5, -0x1.15d6d0dc6ce7ap-6, -0x1.13226d6ae556ap-7,
+    -0x1.b350456af856ep-9, -0x1.2e2f8e772d834p-10, -0x1.e7c7033c03531p-12, -0x1.b8cc4ae436fd8p-13,
+    -0x1.3a0359b983facp-14, -0x1.8a31e1463b459p-16, -0x1.27a96e9347187p-17, -0x1.f8d06d2921478p-19
 };
 GS_TABLE(gs_range_factor_c6) = {
-    0x1.0575ca21b48cep+1, 0x1.9c485fb4a9b81p-3, 0x1.e7fabcc3cbb43p-5, 0x1.577712467b247p-6,
-    0x1.6a90ae81487a8p-8, 0x1.4e04033f7f871p-10, 0x1.88e4248446f39p-12, 0x1.1317087c0c785p-13,
-    0x1.2081b5c735683p-15, 0x1.080a35f3ff83bp-17, 0x1.3534de67173d9p-19, 0x1.afd106861fcdbp-21,
-    0x1.c337d90c4c7a9p-23, 0x1.98cff6d626199p-25, 0x1.d75e20a91fab0p-27, 0x1.443edd603d65ap-28
+    0x1.0575cb23ffea2p+1, 0x1.2bb649a0dae40p-1, 0x1.2147c8c90f4a1p-2, 0x1.2a3829ad3938ap-3,
+    0x1.e7fabcc3c5f4dp-5, 0x1.577712467a2cbp-6, 0x1.134ef580d0898p-7, 0x1.e84f85ea24e9ep-9,
+    0x1.4e04033f69d9cp-10, 0x1.88e424844229dp-12, 0x1.1317087c0bab0p-13, 0x1.b706c1184dfa5p-15,
+    0x1.0a090bb245c31p-16, 0x1.1682068facdf5p-18, 0x1.669ad0240b7c0p-20, 0x1.0c99b8931d2f3p-21
 };
 GS_TABLE(gs_range_factor_c7) = {
-    -0x1.0f7602f7d7888p+1, -0x1.380b8950a1e3fp-3, -0x1.38e8389f0801fp-5, -0x1.7e286cffc8266p-7,
-    -0x1.50a108d470f89p-9, -0x1.fc365ac2291ecp-12, -0x1.fa6bd78a36a10p-14, -0x1.339a24a401decp-15,
-    -0x1.0d246d7a9aa6fp-17, -0x1.9366ca5329163p-20, -0x1.8fc4f746e246ap-22, -0x1.e3f33af55c04ap-24,
-    -0x1.a69582df460a0p-26, -0x1.3b7af618aec35p-28, -0x1.35182ef5a8271p-30, -0x1.702e9133adcf7p-32
+    -0x1.0f761e28adf31p+1, -0x1.065fed74cad3dp-1, -0x1.ca96df9f078ccp-3, -0x1.aff191c157516p-4,
+    -0x1.38e83890f95efp-5, -0x1.7e286cfa51f7dp-7, -0x1.0e894daf8c953p-8, -0x1.adb0007ae8cf2p-10,
+    -0x1.fc365a68a5d28p-12, -0x1.fa6bd772d8b10p-14, -0x1.339a249f7e018p-15, -0x1.b18181828c3fep-17,
+    -0x1.bef4d2559d47fp-19, -0x1.8617203505922p-21, -0x1.ae85c5911aa94p-23, -0x1.1a5cce991d255p-24
 };
 GS_TABLE(gs_range_factor_c8) = {
-    0x1.184b1b4035f46p+1, 0x1.d59fa68f3d01ap-4, 0x1.8ee8b51920fd2p-6, 0x1.a6a213607db13p-8,
-    0x1.369ba2e9dd9a0p-10, 0x1.802b7edcf2abcp-13, 0x1.4444306edb091p-15, 0x1.55b420ecd40dbp-17,
-    0x1.f2dc267fb9ca5p-20, 0x1.323aed96fb635p-22, 0x1.00e3499ea347cp-24, 0x1.0d638fc626382p-26,
-    0x1.87fb4d3445838p-29, 0x1.e14f67618dd5ap-32, 0x1.91cca189b5bd7p-34, 0x1.a00229469f304p-36
+    0x1.184d15ec4d9f2p+1, 0x1.c8c8767941da0p-2, 0x1.696888a49294ap-3, 0x1.36fe43bb083cap-4,
+    0x1.8ee8b521576a9p-6, 0x1.a6a2136341ac1p-8, 0x1.08356b91c776dp-9, 0x1.77bd3a6b16167p-11,
+    0x1.802b7efbec46cp-13, 0x1.44443075b26dbp-15, 0x1.55b420ef1eb01p-17, 0x1.a93d306b8ef7dp-19,
+    0x1.7508a32adf86ap-21, 0x1.0f8918051907ep-23, 0x1.00d8f038d665cp-25, 0x1.269d3fa712ac0p-27
 };
 GS_TABLE(gs_range_factor_c9) = {
-    -0x1.20236a83bff78p+1, -0x1.5fd317ef3e9d7p-4, -0x1.fa3c2f5e23910p-7, -0x1.d138b28406fa3p-9,
-    -0x1.1d3ae4cf0f3f0p-11, -0x1.20faef95e1f06p-14, -0x1.9d2fa75dfb67ep-17, -0x1.79a81db8e2736p-19,
-    -0x1.cbec42e18a4d8p-22, -0x1.ce883061a0791p-25, -0x1.489da8a13d0c4p-27, -0x1.2aad5777b7cd1p-29,
-    -0x1.6996d223abb3dp-32, -0x1.6bab97269166ap-35, -0x1.02a50819d50ccp-37, -0x1.d2f334e53bfe4p-40
+    -0x1.203d8c98d5274p+1, -0x1.8be7669b1671fp-2, -0x1.1b9211a948a5ap-3, -0x1.bdd3145f3dfaep-5,
+    -0x1.fa3c51bc4a0d6p-7, -0x1.d138bfde3ce0fp-9, -0x1.00ce965b970d8p-10, -0x1.46fbeedb37a6ap-12,
+    -0x1.20fb264cfca0ap-14, -0x1.9d2fc3ee7a1d4p-17, -0x1.79a828c2b0a8ap-19, -0x1.9efa66d2392c0p-21,
+    -0x1.35b68b66e3132p-23, -0x1.782610988a4f9p-26, -0x1.31266f0534475p-28, -0x1.321a6972f6494p-30
 };
 GS_TABLE(gs_range_factor_c10) = {
-    0x1.26b4b1834b187p+1, 0x1.06a819a45d035p-4, 0x1.4011407a09b9cp-7, 0x1.fe38ec4d8765cp-10,
-    0x1.04f0bce4c6cd9p-12, 0x1.b1114ef3ed46ep-16, 0x1.0633af0c60d62p-18, 0x1.9fb62ebd03c2ap-21,
-    0x1.a64813545ce21p-24, 0x1.5bcf68531223fp-27, 0x1.a29e3a12ec0c0p-30, 0x1.4a06bb125af0ep-32,
-    0x1.4ca360e4dd8f4p-35, 0x1.110efec034e65p-38, 0x1.49fa6f92d72fbp-41, 0x1.040730a91b217p-43
+    0x1.27a9f86c6920bp+1, 0x1.55f96584b963cp-2, 0x1.bb74dcb1324dcp-4, 0x1.3e6f1ff075124p-5,
+    0x1.40113a7405052p-7, 0x1.fe38e83f099c8p-10, 0x1.f15b6fea04f0ep-12, 0x1.1b7919d441a6bp-13,
+    0x1.b111383b9f688p-16, 0x1.0633aa07d2ef5p-18, 0x1.9fb62b60846f8p-21, 0x1.934f009dbf906p-23,
+    0x1.000edfd558db3p-25, 0x1.03695e27b80d5p-28, 0x1.6923af77846c9p-31, 0x1.3d1b23dcc735ap-33
 };
 GS_TABLE(gs_range_factor_c11) = {
-    -0x1.299c6803a1915p+1, -0x1.8712e70ef5287p-5, -0x1.938e1c2f5da9bp-8, -0x1.16f58fce21180p-10,
-    -0x1.dbf9e4eaba5cep-14, -0x1.437a602293769p-17, -0x1.4bb5855ce9bf7p-20, -0x1.c81af4b7dfcc6p-23,
-    -0x1.826cbf8738065p-26, -0x1.04a3024af0d81p-29, -0x1.09a6ff27089dbp-32, -0x1.6b6a21b220f4bp-35,
-    -0x1.317256c3639b5p-38, -0x1.98d0bb2405bf2p-42, -0x1.a1fa9b51cc6b0p-45, -0x1.1f4159dab89ebp-47
+    -0x1.2fdc6ef9ad7f2p+1, -0x1.2692010d51338p-2, -0x1.59c52067ec025p-4, -0x1.c597971da172cp-6,
+    -0x1.93779c9632a0fp-8, -0x1.16ecd231e46c5p-10, -0x1.e01fa15612083p-13, -0x1.e9f80bb6ab62fp-15,
+    -0x1.43568e0aaf53bp-17, -0x1.4ba2d253c6551p-20, -0x1.c80c8116fe608p-23, -0x1.86a3e9df0e8ddp-25,
+    -0x1.a5b1f5c196484p-28, -0x1.646aaf2ff8035p-31, -0x1.a9c3882076272p-34, -0x1.47802934117ddp-36
 };
 GS_TABLE(gs_range_factor_c12) = {
-    0x1.1fe9c6dd4d123p+1, 0x1.22532ce8e9d03p-5, 0x1.fb7c216e74b77p-9, 0x1.30403f9224269p-11,
-    0x1.b08864a769ff0p-15, 0x1.e1bff2b1148eep-19, 0x1.a26c2d2dfcc11p-22, 0x1.f3000218f1510p-25,
-    0x1.603cedb052e93p-28, 0x1.8555a71d67d4cp-32, 0x1.500f6576354dbp-35, 0x1.8eccb38792431p-38,
-    0x1.178ce990104dcp-41, 0x1.31a767a0d9d4dp-45, 0x1.077e89488d62ap-48, 0x1.3af36c999d91ep-51
+    0x1.3a9602bd4c538p+1, 0x1.fa5cb68142bc5p-3, 0x1.0cfece43d747dp-4, 0x1.4250cdaf7e915p-6,
+    0x1.fb80830b35d48p-9, 0x1.3041b93d98a3dp-11, 0x1.ce5e5b4a2c458p-14, 0x1.a664153bec970p-16,
+    0x1.e1c83617eb24bp-19, 0x1.a26fd38591042p-22, 0x1.f30273f977bd2p-25, 0x1.795c6cf676415p-27,
+    0x1.5a7ffe656d9d9p-30, 0x1.e870ff0d695a0p-34, 0x1.f46e198ef7fd9p-37, 0x1.512f795114411p-39
 };
 GS_TABLE(gs_range_factor_c13) = {
-    -0x1.ece71c1ea214cp+0, -0x1.ae72619fdf434p-6, -0x1.3e89ae40df7bdp-9, -0x1.4b352726a9fc3p-12,
-    -0x1.88ac570416cf8p-16, -0x1.6621a11f3de94p-20, -0x1.0761d483f0099p-23, -0x1.10624b703c0bap-26,
-    -0x1.40b264f143f9fp-30, -0x1.2241823f313c6p-34, -0x1.a83919bfa1087p-38, -0x1.b479b2c10b7c6p-41,
-    -0x1.fedb92567753dp-45, -0x1.c946ca5668df5p-49, -0x1.4bc75d50f8e36p-52, -0x1.576b46b0c6c24p-55
+    -0x1.36fbed00a44d7p+1, -0x1.b71d520cff8c2p-3, -0x1.a571874bc1e35p-5, -0x1.cc8e1db2d98a6p-7,
+    -0x1.4609c667cc1fdp-9, -0x1.510906bf534d4p-12, -0x1.c26823b544525p-15, -0x1.6f52cd224de35p-17,
+    -0x1.7212d6449e5cdp-20, -0x1.0d9db3016d489p-23, -0x1.15339d62d29aep-26, -0x1.70ae30fcd9880p-29,
+    -0x1.279dfb8ec8dfap-32, -0x1.573eaa8ef97fdp-36, -0x1.2b578ac6d1385p-39, -0x1.5f7fa7d9cbe60p-42
 };
 GS_TABLE(gs_range_factor_c14) = {
-    0x1.3db45559833e4p+0, 0x1.49d350be72860p-6, 0x1.99358179bea5ap-10, 0x1.6eab374670408p-13,
-    0x1.77033cec5201ep-17, 0x1.132b458c2ed78p-21, 0x1.5348a8c7fdaf7p-25, 0x1.2e602efbcdf48p-28,
-    0x1.332c0b2b22dcfp-32, 0x1.bf4dc24eb4670p-37, 0x1.11fd8e005f2cap-40, 0x1.e5b5fea8b963ap-44,
-    0x1.eaab94fe7c30ap-48, 0x1.621e5dafab006p-52, 0x1.aca2eba5ee87bp-56, 0x1.7c4317cae0a34p-59
-};
-GS_TABLE(gs_range_factor_c15) = {
-    -0x1.b5cd25da61ab3p-2, -0x1.e78045cdee5cap-7, -0x1.0009e63cd4343p-10, -0x1.8ddd05bb80277p-14,
-    -0x1.53490a818e833p-18, -0x1.97af9b545ac77p-23, -0x1.a99bd0cbc19ebp-27, -0x1.48e92087f1cbep-30,
-    -0x1.1698f00563145p-34, -0x1.4c2f1108c82c3p-39, -0x1.5890bf3991e60p-43, -0x1.08cb1bad1a3fcp-46,
-    -0x1.bdd4078016cbcp-51, -0x1.082caa06030c6p-55, -0x1.0e58f6545409bp-59, -0x1.9d00678cebfa3p-63
+    0x1.a7e1c4d301d93p+0, 0x1.781b45e8393fcp-3, 0x1.46b546f203f16p-5, 0x1.461698e22475dp-7,
+    0x1.9895420a782d8p-10, 0x1.6e3f4d2b77aa0p-13, 0x1.b011fd80a5298p-16, 0x1.3b69c9b68f1f3p-18,
+    0x1.12942600efa48p-21, 0x1.52c32ad116bf5p-25, 0x1.2e06c3e263c98p-28, 0x1.629d2e47914c0p-31,
+    0x1.e3a2a5bd6c492p-35, 0x1.d44e5be5577ebp-39, 0x1.5e3aa0d87a493p-42, 0x1.67eaf0f60378fp-45
 };
 
 static inline gs_v gs_range_factor_near(gs_v x, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
     const gs_v d = gs_sub(x, gs_pick(gs_range_factor_centre, i));
-    const gs_v q15 = gs_pick(gs_range_factor_c15, i);
-    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_range_factor_c14, i));
+    const gs_v q14 = gs_pick(gs_range_factor_c14, i);
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_range_factor_c13, i));
     const gs_v q12 = gs_fma(q13, d, gs_pick(gs_range_factor_c12, i));
     const gs_v q11 = gs_fma(q12, d, gs_pick(gs_range_factor_c11, i));
@@ -1211,11 +1582,10 @@ static inline gs_v gs_range_factor_near(gs_v x, gs_v *lo)
 /* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
 static inline gs_v gs_range_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
     const gs_v d = gs_sub(x, gs_pick(gs_range_factor_centre, i));
-    const gs_v q15 = gs_pick(gs_range_factor_c15, i);
-    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_range_factor_c14, i));
+    const gs_v q14 = gs_pick(gs_range_factor_c14, i);
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_range_factor_c13, i));
     const gs_v q12 = gs_fma(q13, d, gs_pick(gs_range_factor_c12, i));
     const gs_v q11 = gs_fma(q12, d, gs_pick(gs_range_factor_c11, i));
@@ -1248,120 +1618,120 @@ static inline gs_v gs_range_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* range_factor, continued, on [15.0, 255.0): degree 14 on each of 16 pieces. */
+/* range_factor, continued, on [7.5, 127.5): degree 14 on each of 16 pieces. */
 GS_TABLE(gs_range_tail_centre) = {
-    0x1.1000000000000p+4, 0x1.5000000000000p+4, 0x1.9000000000000p+4, 0x1.d000000000000p+4,
-    0x1.1800000000000p+5, 0x1.5800000000000p+5, 0x1.9800000000000p+5, 0x1.d800000000000p+5,
-    0x1.1c00000000000p+6, 0x1.5c00000000000p+6, 0x1.9c00000000000p+6, 0x1.dc00000000000p+6,
-    0x1.1e00000000000p+7, 0x1.5e00000000000p+7, 0x1.9e00000000000p+7, 0x1.de00000000000p+7
+    0x1.1000000000000p+3, 0x1.5000000000000p+3, 0x1.9000000000000p+3, 0x1.d000000000000p+3,
+    0x1.1800000000000p+4, 0x1.5800000000000p+4, 0x1.9800000000000p+4, 0x1.d800000000000p+4,
+    0x1.1c00000000000p+5, 0x1.5c00000000000p+5, 0x1.9c00000000000p+5, 0x1.dc00000000000p+5,
+    0x1.1e00000000000p+6, 0x1.5e00000000000p+6, 0x1.9e00000000000p+6, 0x1.de00000000000p+6
 };
 GS_TABLE(gs_range_tail_c0) = {
-    0x1.e1e1e166c0db9p-6, 0x1.8618618445054p-6, 0x1.47ae147ada16fp-6, 0x1.1a7b9611a79c5p-6,
-    0x1.d41d41d41d41bp-7, 0x1.7d05f417d05f4p-7, 0x1.4141414141414p-7, 0x1.15b1e5f75270dp-7,
-    0x1.cd85689039b0bp-8, 0x1.78a4c8178a4c8p-8, 0x1.3e22cbce4a902p-8, 0x1.135c81135c811p-8,
-    0x1.ca4b3055ee191p-9, 0x1.767dce434a9b1p-9, 0x1.3c995a47babe7p-9, 0x1.12358e75d3033p-9
+    0x1.e1d8a454aef5dp-5, 0x1.86175e83d313ep-5, 0x1.47adf709d02f3p-5, 0x1.1a7b92a254f04p-5,
+    0x1.d41d418b91087p-6, 0x1.7d05f416bb7efp-6, 0x1.414141413cfabp-6, 0x1.15b1e5f7525f8p-6,
+    0x1.cd85689039b0ap-7, 0x1.78a4c8178a4c8p-7, 0x1.3e22cbce4a902p-7, 0x1.135c81135c811p-7,
+    0x1.ca4b3055ee191p-8, 0x1.767dce434a9b1p-8, 0x1.3c995a47babe7p-8, 0x1.12358e75d3033p-8
 };
 GS_TABLE(gs_range_tail_c0_lo) = {
-    -0x1.698bc20497fdcp-60, 0x1.7964b340637bfp-61, -0x1.aba7337ea005ap-65, 0x1.5f6cdae3d8f02p-63,
-    0x1.634ec58bf11fap-61, 0x1.7ae30bbbb6646p-63, 0x1.414119a7a0729p-63, 0x1.15b1e5eb9037dp-65,
-    -0x1.76fc64f52ee09p-63, 0x1.78a4c8178a4c8p-64, 0x1.f1165e7254814p-62, 0x1.ae4089ae4089bp-63,
-    0x1.ca4b3055ee191p-69, 0x1.767dce434a9b1p-69, 0x1.1013c995a47bbp-63, 0x1.a82ad85e42690p-63
+    0x1.7cbcc6037664bp-64, -0x1.ea28902fc617cp-59, -0x1.928333b4643e0p-59, 0x1.b3e52c445dc43p-59,
+    0x1.8374e08203dc3p-60, 0x1.fc6c4aaa6a413p-60, -0x1.114f4b8e8b664p-61, -0x1.053006e83fdeap-60,
+    -0x1.4d294fb880e81p-61, 0x1.775ce0d053031p-63, 0x1.f11658800f0a7p-61, 0x1.ae4089ad5e3b5p-62,
+    0x1.ca4b3055ee062p-68, 0x1.767dce434a9b1p-68, 0x1.1013c995a47bbp-62, 0x1.a82ad85e42690p-62
 };
 GS_TABLE(gs_range_tail_c1) = {
-    -0x1.c58944eae138bp-10, -0x1.2937259ce6709p-10, -0x1.a36e2eb0d4e6ep-11, -0x1.37b482486eb23p-11,
-    -0x1.abfd7e03c2f67p-12, -0x1.1b8d5c5929f39p-12, -0x1.9324b647d96b0p-13, -0x1.2d3a774906fc9p-13,
-    -0x1.a004e00ea02bep-14, -0x1.15123aeb10676p-14, -0x1.8b5a770f464acp-15, -0x1.282fdebc9fbc5p-15,
-    -0x1.9a388f8469b5dp-16, -0x1.11e9ea3fd8f22p-16, -0x1.878af2be1e99fp-17, -0x1.25b6b02883c33p-17
+    -0x1.c536a231b5debp-8, -0x1.292e4819d6456p-8, -0x1.a36c31ef2f8dcp-9, -0x1.37b44788f2805p-9,
+    -0x1.abfd7938ab068p-10, -0x1.1b8d5c470de2dp-10, -0x1.9324b6474b3b0p-11, -0x1.2d3a774904bf3p-11,
+    -0x1.a004e00ea0299p-12, -0x1.15123aeb10676p-12, -0x1.8b5a770f464acp-13, -0x1.282fdebc9fbc5p-13,
+    -0x1.9a388f8469b5dp-14, -0x1.11e9ea3fd8f22p-14, -0x1.878af2be1e99fp-15, -0x1.25b6b02883c33p-15
 };
 GS_TABLE(gs_range_tail_c1_lo) = {
-    -0x1.61ba4af625745p-64, -0x1.d3ee17bfef48dp-68, 0x1.67df69ce422edp-65, 0x1.e79b9f5d671cep-65,
-    -0x1.465b99026b71dp-66, 0x1.7d833f286790fp-66, 0x1.b46bf7a83d481p-68, 0x1.36b7845e5b3c8p-67,
-    -0x1.9f9393c7b4220p-68, 0x1.bc5ae69620a56p-69, -0x1.9ad52771f3cbbp-71, -0x1.105dd732fbbc8p-71,
-    0x1.db4a0c5c57afap-70, -0x1.93c51237117f7p-70, 0x1.7b04aab686201p-71, 0x1.b44df7d03f637p-72
+    -0x1.da9c7bf518b17p-64, 0x1.d7b75e0e40e05p-64, -0x1.575278f714ef4p-63, 0x1.ffcf690ad3025p-63,
+    0x1.345ae67260e6ep-70, -0x1.9f1935dd13d1ap-66, 0x1.6dec6a560f8a6p-65, -0x1.c78ca359550ddp-66,
+    0x1.685a8955db422p-67, 0x1.d151f73488f73p-67, -0x1.9acf179d57309p-69, -0x1.105dd6bfedb0dp-69,
+    0x1.db4a0c5c57c31p-68, -0x1.93c51237117f7p-68, 0x1.7b04aab686201p-69, 0x1.b44df7d03f637p-70
 };
 GS_TABLE(gs_range_tail_c2) = {
-    0x1.aadb4e97d5426p-14, 0x1.c4e64fdec5edfp-15, 0x1.0c6f7a0394f43p-15, 0x1.57f351f76c283p-16,
-    0x1.874e2a1211194p-17, 0x1.a607fa909db1ep-18, 0x1.f9e7cba5753afp-19, 0x1.46c19716cf2c0p-19,
-    0x1.7700c9f78cc64p-20, 0x1.97a51ec6b707ep-21, 0x1.eb501ca81bb3ep-22, 0x1.3e9672cf3131dp-22,
-    0x1.6f30d6649f11bp-23, 0x1.90b25822e2a9fp-24, 0x1.e43a0fc24fe4bp-25, 0x1.3a9afad059b87p-25
+    0x1.a9658912033a0p-11, 0x1.c49809b3693edp-12, 0x1.0c66d813b4a98p-12, 0x1.57f1597a13465p-13,
+    0x1.874e016a0985ep-14, 0x1.a607f960c9378p-15, 0x1.f9e7cb9c35a5cp-16, 0x1.46c19716aa156p-16,
+    0x1.7700c9f78c9f9p-17, 0x1.97a51ec6b707ep-18, 0x1.eb501ca81bb3ep-19, 0x1.3e9672cf3131dp-19,
+    0x1.6f30d6649f11bp-20, 0x1.90b25822e2a9fp-21, 0x1.e43a0fc24fe4bp-22, 0x1.3a9afad059b87p-22
 };
 GS_TABLE(gs_range_tail_c3) = {
-    -0x1.91be10af28a7bp-18, -0x1.5910f62a18662p-19, -0x1.5798edcc5dfb6p-20, -0x1.7b8813d0cd846p-21,
-    -0x1.65c3ceb16be5ep-22, -0x1.3a11d83bfe436p-23, -0x1.3d6e4d94fe427p-24, -0x1.627289dbff19ep-25,
-    -0x1.5207ec23a656dp-26, -0x1.2be074cd08191p-27, -0x1.314825b088832p-28, -0x1.56aebc07bc71bp-29,
-    -0x1.48ac9c199e4d0p-30, -0x1.2514bb586b424p-31, -0x1.2b6cde75ae4f1p-32, -0x1.50fbb19bb06fcp-33
+    -0x1.8d47d1a13c9c6p-14, -0x1.582891dabd114p-15, -0x1.57669ed1c632ep-16, -0x1.7b7cbe3e17440p-17,
+    -0x1.65c2e80f88bc3p-18, -0x1.3a11d19536e92p-19, -0x1.3d6e4d61953e2p-20, -0x1.627289da652c7p-21,
+    -0x1.5207ec23a4ae1p-22, -0x1.2be074cd0818ep-23, -0x1.314825b088832p-24, -0x1.56aebc07bc71bp-25,
+    -0x1.48ac9c199e4d0p-26, -0x1.2514bb586b424p-27, -0x1.2b6cde75ae4f1p-28, -0x1.50fbb19bb06fcp-29
 };
 GS_TABLE(gs_range_tail_c4) = {
-    0x1.7a172a8eaaa32p-22, 0x1.06e8331555ecep-23, 0x1.b7cdfac8f8038p-25, 0x1.a2cb1e9e0fbdap-26,
-    0x1.47196c84e08f7p-27, 0x1.d373dca0bbe78p-29, 0x1.8e58393371445p-30, 0x1.807c3ec3401c1p-31,
-    0x1.30b43635c4d01p-32, 0x1.b932b1bae5a95p-34, 0x1.7b611d7081e11p-35, 0x1.7099878fd9c15p-36,
-    0x1.2632abf3207e3p-37, 0x1.acbc50f65f76ep-39, 0x1.724dc0426351bp-40, 0x1.68f3e3bb1d635p-41
+    0x1.6fb31a2926a60p-17, 0x1.04dd7444a1044p-18, 0x1.b6f0890087542p-20, 0x1.a299f928b1bf4p-21,
+    0x1.471593cfa137cp-22, 0x1.d373a494fbe35p-24, 0x1.8e58378611af3p-25, 0x1.807c3eb5f5dfdp-26,
+    0x1.30b43635b7221p-27, 0x1.b932b1bae5a59p-29, 0x1.7b611d7081e11p-30, 0x1.7099878fd9c15p-31,
+    0x1.2632abf3207e3p-32, 0x1.acbc50f65f76ep-34, 0x1.724dc0426351bp-35, 0x1.68f3e3bb1d635p-36
 };
 GS_TABLE(gs_range_tail_c5) = {
-    -0x1.63c926a2c03a2p-26, -0x1.909dce7cdaca5p-28, -0x1.19798e97bd4fep-29, -0x1.ce1dec55b9208p-31,
-    -0x1.2b0fee309332ep-32, -0x1.5bdf272a53fd7p-34, -0x1.f3e229a9feb1ep-36, -0x1.a1119f3342958p-37,
-    -0x1.12a9a7da85615p-38, -0x1.448f392e5bdc3p-40, -0x1.d776337f69605p-42, -0x1.8c7a1da57db71p-43,
-    -0x1.07568803531bap-44, -0x1.3996e7d5ee83cp-46, -0x1.c9f5cc60f734dp-48, -0x1.82a08d19d5a06p-49
+    -0x1.500ded48da20ap-20, -0x1.892e032d67b4bp-22, -0x1.17f082a5374fcp-23, -0x1.cd72715cb5de9p-25,
+    -0x1.2b02bd943f1f8p-26, -0x1.5bde69ca1b085p-28, -0x1.f3e21e70140bdp-30, -0x1.a1119edae7960p-31,
+    -0x1.12a9a7da2b10cp-32, -0x1.448f392e5bc39p-34, -0x1.d776337f69605p-36, -0x1.8c7a1da57db71p-37,
+    -0x1.07568803531bap-38, -0x1.3996e7d5ee83cp-40, -0x1.c9f5cc60f734dp-42, -0x1.82a08d19d5a06p-43
 };
 GS_TABLE(gs_range_tail_c6) = {
-    0x1.4eafa8055009cp-30, 0x1.3138af4cd0e24p-32, 0x1.6849835f8fe8bp-34, 0x1.fdec0b0703854p-36,
-    0x1.116da690183e9p-37, 0x1.02e19a2b676b4p-39, 0x1.39a7010b4a797p-41, 0x1.c469e5193b35bp-43,
-    0x1.ef2aa598603c2p-45, 0x1.dd83456a757edp-47, 0x1.24f27480e08b6p-48, 0x1.aa7671a2f2c94p-50,
-    0x1.d76e276869d0dp-52, 0x1.cabc920b9a5a5p-54, 0x1.1b2eded7c9180p-55, 0x1.9e20b969dd52ep-57
+    0x1.2ebd8ed8e0bd9p-23, 0x1.25c75624470d6p-25, 0x1.63b401b9b7a83p-27, 0x1.fbf623bf17c6bp-29,
+    0x1.1147cbdea278bp-30, 0x1.02df83758f53bp-32, 0x1.39a6e1ad2115cp-34, 0x1.c469e32f0bafbp-36,
+    0x1.ef2aa5947da2ep-38, 0x1.dd83456a74717p-40, 0x1.24f27480e08b4p-41, 0x1.aa7671a2f2c94p-43,
+    0x1.d76e276869d0dp-45, 0x1.cabc920b9a5a5p-47, 0x1.1b2eded7c9180p-48, 0x1.9e20b969dd52ep-50
 };
 GS_TABLE(gs_range_tail_c7) = {
-    -0x1.3a9b9a2f796dep-34, -0x1.d10d8db3afd47p-37, -0x1.cd2a2a82d9fcap-39, -0x1.195611d13a669p-40,
-    -0x1.f3fbb25f19070p-43, -0x1.814fc76fde250p-45, -0x1.899a5b98c43c8p-47, -0x1.eac0f87ceecc8p-49,
-    -0x1.be58ea671ba9cp-51, -0x1.5f46156cfb57ap-53, -0x1.6c0cfe15573f5p-55, -0x1.cab755a313efdp-57,
-    -0x1.a5fac3242fc07p-59, -0x1.4f8876546f113p-61, -0x1.5e377de5e8e01p-63, -0x1.bb95a9a914ed0p-65
+    -0x1.0d0befa42fc6dp-26, -0x1.b25f1530fbb5ap-29, -0x1.c14ececcf43ebp-31, -0x1.16dbc46bd7d49p-32,
+    -0x1.f3408ecc3b94ap-35, -0x1.8145a37695fa3p-37, -0x1.8999c509e5d27p-39, -0x1.eac0ef5e8112ap-41,
+    -0x1.be58ea54c45b1p-43, -0x1.5f46156cf6686p-45, -0x1.6c0cfe15573dfp-47, -0x1.cab755a313efdp-49,
+    -0x1.a5fac3242fc07p-51, -0x1.4f8876546f113p-53, -0x1.5e377de5e8e01p-55, -0x1.bb95a9a914ed0p-57
 };
 GS_TABLE(gs_range_tail_c8) = {
-    0x1.2751d59e4ded6p-38, 0x1.623bbafb92207p-41, 0x1.2723c3ef66f9dp-43, 0x1.3670894810112p-45,
-    0x1.c920a2b1cab1bp-48, 0x1.1ebe58e206917p-50, 0x1.edeee16055913p-53, 0x1.0a2bea91dca2fp-54,
-    0x1.92575c4e851adp-57, 0x1.026885766c63dp-59, 0x1.c4699f2beb2e7p-62, 0x1.ed68b22a08897p-64,
-    0x1.79b748a1492d2p-66, 0x1.ead640d92334fp-69, 0x1.b11e4a13acfc6p-71, 0x1.db22fc6c458b4p-73
+    0x1.d92edae3bf208p-30, 0x1.3d89cdfed9399p-32, 0x1.198e2d03de96bp-34, 0x1.30e9b2174e34dp-36,
+    0x1.c789b16641131p-39, 0x1.1ea8bcba4c63ep-41, 0x1.edec67a93cfe5p-44, 0x1.0a2bd78a51641p-45,
+    0x1.92575c02975fdp-48, 0x1.02688576581bep-50, 0x1.c4699f2beb230p-53, 0x1.ed68b22a08897p-55,
+    0x1.79b748a1492d2p-57, 0x1.ead640d92334fp-60, 0x1.b11e4a13acfc6p-62, 0x1.db22fc6c458b4p-64
 };
 GS_TABLE(gs_range_tail_c9) = {
-    -0x1.148f93316e569p-42, -0x1.0dba620b6cd54p-45, -0x1.79c24bc53eba0p-48, -0x1.568d8bd86c6ecp-50,
-    -0x1.a1f305ea17c45p-53, -0x1.aac845daa2a00p-56, -0x1.35eb4cde9b752p-58, -0x1.20ba844fd9409p-60,
-    -0x1.6aad59b600ab6p-63, -0x1.7c301bc54a2f0p-66, -0x1.191c6abd1447fp-68, -0x1.095ce7e948270p-70,
-    -0x1.52192fcc4c285p-73, -0x1.6703595a5a825p-76, -0x1.0bd27c171eddbp-78, -0x1.fceee5f0fa0ddp-81
+    -0x1.9d5f2d8a0c4e4p-33, -0x1.cba10bba2cba5p-36, -0x1.5db09806539a6p-38, -0x1.4b7ce4b14890cp-40,
+    -0x1.9edb89e028802p-43, -0x1.aa7618236b1dep-46, -0x1.35e6a861f6b8dp-48, -0x1.20ba3d96350b2p-50,
+    -0x1.6aad589c249aep-53, -0x1.7c301bc4b4d32p-56, -0x1.191c6abd141e3p-58, -0x1.095ce7e94826fp-60,
+    -0x1.52192fcc4c285p-63, -0x1.6703595a5a825p-66, -0x1.0bd27c171eddbp-68, -0x1.fceee5f0fa0ddp-71
 };
 GS_TABLE(gs_range_tail_c10) = {
-    0x1.02117b4730099p-46, 0x1.9a7c935cd231ap-50, 0x1.e3776fa70d2eep-53, 0x1.79fc3e1a68f54p-55,
-    0x1.7e2000f9ca689p-58, 0x1.3d9afe64b1317p-61, 0x1.84eb0b216246ap-64, 0x1.3932757daa93bp-66,
-    0x1.46eb955f8d392p-69, 0x1.17adb0620d606p-72, 0x1.5d5782291bb06p-75, 0x1.1d6eb04ed2fccp-77,
-    0x1.2ea22e5d5b711p-80, 0x1.0697a937d8e01p-83, 0x1.4b38406bbe49dp-86, 0x1.1091156423605p-88
+    0x1.67f2ad1967c3ep-36, 0x1.4a365a871bd55p-39, 0x1.ae62927f14706p-42, 0x1.65d2d824eb46cp-44,
+    0x1.78ad6e7631032p-47, 0x1.3d0dd3d16af4ep-50, 0x1.84db554407db4p-53, 0x1.39318885fa46bp-55,
+    0x1.46eb91bb0ccddp-58, 0x1.17adb060231f4p-61, 0x1.5d5782291a9fdp-64, 0x1.1d6eb04ed2fc8p-66,
+    0x1.2ea22e5d5b711p-69, 0x1.0697a937d8e01p-72, 0x1.4b38406bbe49dp-75, 0x1.1091156423605p-77
 };
 GS_TABLE(gs_range_tail_c11) = {
-    -0x1.ded240bec5fa5p-51, -0x1.37d7328ae23aap-54, -0x1.3540713362a61p-57, -0x1.a10577d30aaf9p-60,
-    -0x1.5d04e37d82211p-63, -0x1.d88266ee049e2p-67, -0x1.e7f2a45ee422fp-70, -0x1.53b2ba576ffdbp-72,
-    -0x1.26688cdb94af5p-75, -0x1.9b4f654cc410fp-79, -0x1.b20ae9a81218cp-82, -0x1.32fbdbc1fbf8cp-84,
-    -0x1.0ea36e85007afp-87, -0x1.7ffab9cebd77ep-91, -0x1.998a50936ce4dp-94, -0x1.23ebb8291cc9bp-96
+    -0x1.38b3304e677cbp-39, -0x1.d85c91b681c8bp-43, -0x1.06be6ba64434bp-45, -0x1.7f347cb8752cfp-48,
+    -0x1.544511488a7b4p-51, -0x1.d6c9671bdbc92p-55, -0x1.e7c25bcdb887ap-58, -0x1.53afe9be636a4p-60,
+    -0x1.26688298b403ep-63, -0x1.9b4f6542089a5p-67, -0x1.b20ae9a80c267p-70, -0x1.32fbdbc1fbf71p-72,
+    -0x1.0ea36e85007afp-75, -0x1.7ffab9cebd77ep-79, -0x1.998a50936ce4dp-82, -0x1.23ebb8291cc9bp-84
 };
 GS_TABLE(gs_range_tail_c12) = {
-    0x1.ba0ad37df973ep-55, 0x1.d924d425cf62bp-59, 0x1.8b9745786d97ep-62, 0x1.cc2137b8988bcp-65,
-    0x1.3f1a48a8418f6p-68, 0x1.5fa287fd69869p-72, 0x1.3229d08bc51a3p-75, 0x1.707c735a821c3p-78,
-    0x1.0961d91c779a7p-81, 0x1.2e92ae90bf502p-85, 0x1.0db2469f1ca48p-88, 0x1.4a337a5c7cbe2p-91,
-    0x1.e47fe0b4d0863p-95, 0x1.18da7f20b964dp-98, 0x1.fa7c0f8d82f5ep-102, 0x1.38af5d5c3cd3cp-104
+    0x1.0f7ba5d1ced17p-42, 0x1.518a11257a795p-46, 0x1.3f1e8a0f3bbd0p-49, 0x1.9756af030cf8dp-52,
+    0x1.3207c4f4f474dp-55, 0x1.5d24ae78d9fc7p-59, 0x1.31e54368f2130p-62, 0x1.70748d4597d94p-65,
+    0x1.0961bc2ae6ccbp-68, 0x1.2e92ae72c4ae6p-72, 0x1.0db2469f0c21dp-75, 0x1.4a337a5c7cb4ap-78,
+    0x1.e47fe0b4d0863p-82, 0x1.18da7f20b964dp-85, 0x1.fa7c0f8d82f5ep-89, 0x1.38af5d5c3cd3cp-91
 };
 GS_TABLE(gs_range_tail_c13) = {
-    -0x1.aa04875839257p-59, -0x1.723e1c41533ebp-63, -0x1.030c606116c57p-66, -0x1.026e3211124b9p-69,
-    -0x1.32c659eafcbadp-73, -0x1.0e7547d868fc6p-77, -0x1.8946f0ae139cdp-81, -0x1.96b9683368686p-84,
-    -0x1.f65a33443af84p-88, -0x1.cbbe136824ae3p-92, -0x1.56ea082c19da1p-95, -0x1.694c2b0a5f1d2p-98,
-    -0x1.c70a4d3e76876p-102, -0x1.a824e88c34547p-106, -0x1.405db9dd2af5ap-109, -0x1.54a6be8400e6bp-112
+    -0x1.ebca72c4ad4ddp-46, -0x1.f15d49d720edbp-50, -0x1.8b11352fd9174p-53, -0x1.b55774bb90bedp-56,
+    -0x1.1eb5aaea654f1p-59, -0x1.0acdd5c17ace7p-63, -0x1.8882d4fb60830p-67, -0x1.96a32875a040ep-70,
+    -0x1.f6595f9a03bc5p-74, -0x1.cbbe1290e3cf5p-78, -0x1.56ea082ba49cdp-81, -0x1.694c2b0a5eda7p-84,
+    -0x1.c70a4d3e76876p-88, -0x1.a824e88c34547p-92, -0x1.405db9dd2af5ap-95, -0x1.54a6be8400e6bp-98
 };
 GS_TABLE(gs_range_tail_c14) = {
-    0x1.8400ba8e831c0p-63, 0x1.1706a41294904p-67, 0x1.4ad3e980df8aep-71, 0x1.1d11c3089cbc8p-74,
-    0x1.1879ded7ab667p-78, 0x1.928ad3efdea69p-83, 0x1.ed86330a25046p-87, 0x1.b931414d741c2p-90,
-    0x1.c4d31c2f14b47p-94, 0x1.52338cce15192p-98, 0x1.aa25523bc6a69p-102, 0x1.849f5fc650cb7p-105,
-    0x1.974f0a1086bd4p-109, 0x1.363b2dbfc8a71p-113, 0x1.8c339a6bcd3eap-117, 0x1.6ce1bc0000f71p-120
+    0x1.a8b6cb22d362fp-49, 0x1.63807fd196555p-53, 0x1.de83b61b16dc7p-57, 0x1.cbfd875952e96p-60,
+    0x1.fd0555bf6a3fcp-64, 0x1.89794b65bd6e7p-68, 0x1.ebaa837ac175dp-72, 0x1.b8fc0a9db1b86p-75,
+    0x1.c4d135f3746afp-79, 0x1.52338ae4722b6p-83, 0x1.aa255239b4755p-87, 0x1.849f5fc64f9f1p-90,
+    0x1.974f0a1086bd3p-94, 0x1.363b2dbfc8a71p-98, 0x1.8c339a6bcd3eap-102, 0x1.6ce1bc0000f71p-105
 };
 
 static inline gs_v gs_range_tail_near(gs_v x, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4108, 50);
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
     const gs_v d = gs_sub(x, gs_pick(gs_range_tail_centre, i));
     const gs_v q14 = gs_pick(gs_range_tail_c14, i);
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_range_tail_c13, i));
@@ -1397,8 +1767,8 @@ static inline gs_v gs_range_tail_near(gs_v x, gs_v *lo)
 /* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
 static inline gs_v gs_range_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4108, 50);
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
     const gs_v d = gs_sub(x, gs_pick(gs_range_tail_centre, i));
     const gs_v q14 = gs_pick(gs_range_tail_c14, i);
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_range_tail_c13, i));
@@ -1433,7 +1803,7 @@ static inline gs_v gs_range_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* x >= 255.0 */
+/* x >= 127.5 */
 static inline gs_v gs_range_factor_far(gs_v x)
 {
     const gs_v r = gs_div(gs_v_of(0x1.0000000000000p-1), x);
@@ -1443,12 +1813,12 @@ static inline gs_v gs_range_factor_far(gs_v x)
 static GS_RARE gs_v gs_range_factor_outside(gs_v x, gs_v r, gs_v *lo)
 {
     gs_v tail, rest;
-    const gs_mask here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    tail = gs_range_tail_near(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), &rest);
+    const gs_mask here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+    tail = gs_range_tail_near(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), &rest);
     r = gs_select(here, tail, r);
     *lo = gs_select(here, rest, *lo);
-    const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    tail = gs_range_factor_far(gs_select(beyond, x, gs_v_of(0x1.fe00000000000p+7)));
+    const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+    tail = gs_range_factor_far(gs_select(beyond, x, gs_v_of(0x1.fe00000000000p+6)));
     rest = gs_v_of(0.0);
     *lo = gs_select(beyond, rest, *lo);
     return gs_refuse_negative(x, gs_select(beyond, tail, r), lo);
@@ -1457,7 +1827,7 @@ static GS_RARE gs_v gs_range_factor_outside(gs_v x, gs_v r, gs_v *lo)
 /* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)): the nearest double but for a little, and the rest. */
 static inline gs_v gs_range_factor_value(gs_v x, gs_v *lo)
 {
-    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
     const gs_v r = gs_range_factor_near(gs_select(here, x, gs_v_of(0x0.0p+0)), lo);
     return gs_all(here) ? r : gs_range_factor_outside(x, r, lo);
 }

@@ -1,6 +1,8 @@
 """The pieces of the approximations: partition, fit, and the committed coefficients."""
 
+import math
 import random
+from fractions import Fraction
 
 import pytest
 from mpmath import mp, mpf
@@ -22,6 +24,22 @@ def test_a_piece_is_found_by_the_leading_bits(name):
             assert (pieces.bits_of(x + partition.offset) >> partition.drop) - partition.first == index
         assert index == 0 or partition.bounds(index - 1)[1] == lower
         assert lower <= partition.centre(index) < upper
+
+
+@pytest.mark.parametrize("name", APPROXIMATIONS)
+def test_the_distance_to_the_centre_is_exact_at_the_ends_of_a_piece(name):
+    """Also for the doubles just below a bound that the rounding of x + offset puts into the next piece."""
+    partition = APPROXIMATIONS[name].partition
+    for index in range(1, COUNT):
+        lower, upper = partition.bounds(index)
+        centre = partition.centre(index)
+        below = lower
+        while (
+            pieces.bits_of(math.nextafter(below, 0.0) + partition.offset) >> partition.drop
+        ) - partition.first == index:
+            below = math.nextafter(below, 0.0)
+        for x in (below, math.nextafter(below, 1e9), lower, math.nextafter(lower, 1e9), math.nextafter(upper, 0.0)):
+            assert Fraction(x - centre) == Fraction(x) - Fraction(centre)
 
 
 def test_an_offset_off_the_grid_is_refused():

@@ -38,6 +38,8 @@ from galileo_sym.verify.proof.pieces import Piece
 
 KERNELS = Path(__file__).parents[2] / "generated/c/galileo_kernels.h"
 CONTINUED = {
+    "phi1m_tail": "phi1m",
+    "phi2m_tail": "phi2m",
     "flight_tail": "flight_factor",
     "range_tail": "range_factor",
     "fall_tail": "fall_factor",

@@ -3,6 +3,7 @@
 import random
 from fractions import Fraction
 from itertools import pairwise
+from types import SimpleNamespace
 
 import pytest
 from kernels_of_one import kernels_of, spoiled
@@ -13,7 +14,7 @@ from galileo_sym.verify.proof.dispatch import primitives
 from galileo_sym.verify.proof.emitted import Call, Name, RefusedSource, parse
 from galileo_sym.verify.proof.expansion import Expansion, Symbols
 from galileo_sym.verify.proof.pieces import NEAR, PAIR, pieces
-from galileo_sym.verify.proof.replay import Unproved
+from galileo_sym.verify.proof.replay import Replay, Unproved, given
 
 NAME = "descent_factor"
 TEXT = kernels_of(NAME)
@@ -160,6 +161,18 @@ def test_a_fused_step_taken_apart_raises_the_bound():
 def test_a_side_condition_that_fails_is_an_error(old, new, why):
     with pytest.raises(Unproved, match=why):
         totals(spoiled(TEXT, old, new))
+
+
+def test_a_difference_is_exact_within_a_factor_of_two_only():
+    """Sterbenz: centre/2 <= x <= 2 centre; where x may be less, its difference from the centre may be rounded."""
+    digits = Fraction(1, 2**60)
+    for lower, exact in ((Fraction(1, 2), True), (Fraction(1, 2) - digits, False)):
+        symbols = Symbols(lower - 1, Fraction(1))
+        x = given(Expansion.of(Fraction(1)) + Expansion.argument(), digits)
+        difference = Replay.sub(
+            SimpleNamespace(symbols=symbols, _sum=lambda *_: None), x, given(Expansion.of(Fraction(1)))
+        )
+        assert (difference is not None) == exact
 
 
 def test_an_operation_that_may_overflow_is_an_error():

@@ -127,8 +127,12 @@ class Replay:
         return self._sum(a, b, a.rounded + b.rounded, ("gs_add", a, b))
 
     def sub(self, a, b):
-        """a - b."""
-        return self._sum(a, b, a.rounded - b.rounded, ("gs_sub", a, b))
+        """a - b; exact where b/2 <= a <= 2 b (Sterbenz)."""
+        exact = a.rounded - b.rounded
+        sides = (b.rounded + exact + exact, b.rounded - exact, b.rounded)  # 2 a - b, 2 b - a, b
+        if all(self.symbols.range(side)[0] >= 0 for side in sides):
+            return Value(exact, exact, _common(a.step, b.step), ("gs_sub", a, b))
+        return self._sum(a, b, exact, ("gs_sub", a, b))
 
     def mul(self, a, b):
         """a b."""

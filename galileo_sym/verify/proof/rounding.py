@@ -60,11 +60,17 @@ def _over(symbols, replay, exact, lower, upper):
     )
 
 
+def _exact_rest(piece):
+    """Return whether x - centre is exact: by Sterbenz's lemma, or since its grid and its size leave no more digits."""
+    step = min(ulp(piece.lower), grid(piece.centre) or piece.upper)
+    near_centre = piece.centre / 2 <= piece.lower and piece.upper <= 2 * piece.centre
+    return near_centre or not piece.centre or max(abs(piece.d_lower), abs(piece.d_upper)) <= step * 2**DIGITS
+
+
 def _on_piece(emitted, function, piece):
     """Return the bounds on one piece of a function."""
     symbols = Symbols(piece.d_lower, piece.d_upper)
-    step = min(ulp(piece.lower), grid(piece.centre) or piece.upper)
-    if piece.centre and max(abs(piece.d_lower), abs(piece.d_upper)) > step * 2**DIGITS:
+    if not _exact_rest(piece):
         raise Unproved(f"{function.name}, piece {piece.index}: x - centre is not proved exact")
     known = _argument(piece, symbols)
     if not set(function.parameters) <= set(known):
