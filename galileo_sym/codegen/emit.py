@@ -13,7 +13,7 @@ import sympy
 
 import galileo_sym
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen import c99, kernels, numpy, tables
+from galileo_sym.codegen import c99, frames, kernels, numpy, tables
 
 PINNED = {"sympy": "1.14.0", "mpmath": "1.3.0"}
 KEPT = ("certificates",)  # reviewed and committed by other means, never written here
@@ -76,6 +76,7 @@ def _sources():
     for name in ("galileo_vector.h", "galileo_loops.h"):
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/galileo_kernels.h"] = _c("the coefficients of galileo_sym.primitives", kernels.kernels_header())
+    files["c/galileo_frames.h"] = _c("the frames of galileo_sym.primitives", frames.frames_header())
     target = _template("c/special_target.c")
     for suffix in kernels.TARGETS:
         text = kernels.target_source(target, suffix)

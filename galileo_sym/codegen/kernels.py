@@ -1,53 +1,63 @@
 """The primitives' kernels in C: one operation a line, over the vectors of galileo_vector.h."""
 
+from math import isinf
+
 from galileo_sym.primitives.approximations import APPROXIMATIONS
-from galileo_sym.primitives.kernels import KERNELS, columns, near_lines
+from galileo_sym.primitives.kernels import BANKED, KERNELS
+from galileo_sym.primitives.lines import columns, near_lines
 
-_TYPES = {"piece": "gs_index"}
-
-
-def _number(value):
-    return f"gs_v_of({float(value).hex()})"
+_TYPES = {"at_least": "gs_mask", "both": "gs_mask", "less": "gs_mask", "low_index": "gs_index", "piece": "gs_index"}
 
 
-def _operand(bank, operand):
+def c_number(value):
+    """Return a double as a vector of C."""
+    return f"gs_v_of({'-' * (value < 0)}INFINITY)" if isinf(value) else f"gs_v_of({float(value).hex()})"
+
+
+def _operand(owner, operand):
     if isinstance(operand, tuple):
-        return f"gs_pick(gs_{bank}_{operand[1]}, i)"
-    return _number(operand) if isinstance(operand, float) else str(operand)
+        _, column, index = operand if len(operand) == 3 else (*operand, "i")
+        return f"gs_pick(gs_{owner}_{column}, {index})"
+    return c_number(operand) if isinstance(operand, float) else str(operand)
 
 
-def _lines(bank, lines):
-    """C statements; `r` and `lo` are the results."""
+def lines_text(owner, lines):
+    """Return the C statements of lines whose tables are those of a bank or a frame; `r` and `lo` are the results."""
     out = []
     for line in lines:
-        operands = ", ".join(_operand(bank, o) for o in line.operands)
-        value = operands if line.operation == "pick" else f"gs_{line.operation}({operands})"
+        if line.operation in ("near", "near_pair"):
+            bank, *arguments = line.operands
+            call = f"gs_{bank}_{line.operation}({', '.join(arguments)}, &{line.name}_lo)"
+            out.append(f"    gs_v {line.name}_lo;\n    const gs_v {line.name} = {call};\n")
+            continue
+        operands = ", ".join(_operand(owner, o) for o in line.operands)
+        value = operands if line.operation in ("copy", "pick") else f"gs_{line.operation}({operands})"
         target = "*lo" if line.name == "lo" else f"const {_TYPES.get(line.operation, 'gs_v')} {line.name}"
         out.append(f"    {target} = {value};\n")
     return "".join(out)
 
 
-def _table(bank):
-    out = []
-    for column, values in columns(bank).items():
-        rows = [values[i : i + 4] for i in range(0, len(values), 4)]
-        text = ",\n".join("    " + ", ".join(v.hex() for v in row) for row in rows)
-        out.append(f"GS_TABLE(gs_{bank}_{column}) = {{\n{text}\n}};\n")
-    return "".join(out)
+def table_text(owner, column, values):
+    """Return the C table of a column."""
+    rows = [values[i : i + 4] for i in range(0, len(values), 4)]
+    text = ",\n".join("    " + ", ".join(v.hex() for v in row) for row in rows)
+    return f"GS_TABLE(gs_{owner}_{column}) = {{\n{text}\n}};\n"
 
 
-def _bank(bank):
+def bank_text(bank):
+    """Return the C tables of an approximation, and the functions that evaluate it."""
     approximation = APPROXIMATIONS[bank]
     partition = approximation.partition
+    tables = "".join(table_text(bank, column, values) for column, values in columns(bank).items())
     where = f"[{partition.begin!r}, {partition.end!r})"
     return (
         f"/* {approximation.doc}, on {where}: degree {approximation.degree} on each of 16 pieces. */\n"
-        f"{_table(bank)}\n"
-        f"static inline gs_v gs_{bank}_near(gs_v x, gs_v *lo)\n{{\n{_lines(bank, near_lines(bank, False))}"
+        f"{tables}\n"
+        f"static inline gs_v gs_{bank}_near(gs_v x, gs_v *lo)\n{{\n{lines_text(bank, near_lines(bank, False))}"
         f"    return r;\n}}\n\n"
         f"/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */\n"
         f"static inline gs_v gs_{bank}_near_pair(gs_v x, gs_v x_lo, gs_v *lo)\n{{\n"
-        f"{_lines(bank, near_lines(bank, True))}    return r;\n}}\n\n"
+        f"{lines_text(bank, near_lines(bank, True))}    return r;\n}}\n\n"
     )
 
 
@@ -55,12 +65,12 @@ def _outside(kernel):
     """What serves the lanes that the first bank does not: the other banks, the far form, and what is no argument."""
     out = [
         f"/* x >= {kernel.end!r} */\nstatic inline gs_v gs_{kernel.name}_far(gs_v x)\n{{\n",
-        _lines("", kernel.far),
+        lines_text("", kernel.far),
         "    return r;\n}\n\n",
         f"static GS_RARE gs_v gs_{kernel.name}_outside(gs_v x, gs_v r, gs_v *lo)\n{{\n    gs_v tail, rest;\n",
     ]
     for bank in kernel.banks[1:]:
-        begin, end = (_number(v) for v in (APPROXIMATIONS[bank].partition.begin, APPROXIMATIONS[bank].partition.end))
+        begin, end = (c_number(v) for v in (APPROXIMATIONS[bank].partition.begin, APPROXIMATIONS[bank].partition.end))
         out += [
             f"    const gs_mask here = gs_within(x, {begin}, {end});\n",
             f"    tail = gs_{bank}_near(gs_select(here, x, {begin}), &rest);\n",
@@ -68,8 +78,8 @@ def _outside(kernel):
             "    *lo = gs_select(here, rest, *lo);\n",
         ]
     out += [
-        f"    const gs_mask beyond = gs_at_least(x, {_number(kernel.end)});\n",
-        f"    tail = gs_{kernel.name}_far(gs_select(beyond, x, {_number(kernel.end)}));\n",
+        f"    const gs_mask beyond = gs_at_least(x, {c_number(kernel.end)});\n",
+        f"    tail = gs_{kernel.name}_far(gs_select(beyond, x, {c_number(kernel.end)}));\n",
         "    rest = gs_v_of(0.0);\n",
         "    *lo = gs_select(beyond, rest, *lo);\n",
         "    return gs_refuse_negative(x, gs_select(beyond, tail, r), lo);\n}\n\n",
@@ -81,21 +91,21 @@ def _kernel(kernel):
     begin = APPROXIMATIONS[kernel.banks[0]].partition.begin
     end = APPROXIMATIONS[kernel.banks[0]].partition.end
     return (
-        "".join(_bank(bank) for bank in kernel.banks)
+        "".join(bank_text(bank) for bank in kernel.banks)
         + _outside(kernel)
         + f"/* {kernel.doc}: the nearest double but for a little, and the rest. */\n"
         f"static inline gs_v gs_{kernel.name}_value(gs_v x, gs_v *lo)\n{{\n"
-        f"    const gs_mask here = gs_within(x, {_number(begin)}, {_number(end)});\n"
-        f"    const gs_v r = gs_{kernel.name}_near(gs_select(here, x, {_number(begin)}), lo);\n"
+        f"    const gs_mask here = gs_within(x, {c_number(begin)}, {c_number(end)});\n"
+        f"    const gs_v r = gs_{kernel.name}_near(gs_select(here, x, {c_number(begin)}), lo);\n"
         f"    return gs_all(here) ? r : gs_{kernel.name}_outside(x, r, lo);\n}}\n"
     )
 
 
 def kernels_header():
-    """Return the C header of all kernels."""
+    """Return the C header of the kernels that need nothing but look-ups."""
     return (
         "#ifndef GALILEO_KERNELS_H\n#define GALILEO_KERNELS_H\n\n"
-        '#include "galileo_vector.h"\n\n' + "\n".join(_kernel(kernel) for kernel in KERNELS.values()) + "\n#endif\n"
+        '#include "galileo_vector.h"\n\n' + "\n".join(_kernel(kernel) for kernel in BANKED.values()) + "\n#endif\n"
     )
 
 
@@ -128,10 +138,10 @@ def public_source(template):
 
 def prototypes():
     """Return the declarations of the public functions, with what each computes."""
-    out = ["/* One-variable functions of x >= 0, dimensionless. Beyond the domain: NaN and FE_INVALID. */\n"]
+    out = ["/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID. */\n"]
     for name, kernel in KERNELS.items():
         out.append(
-            f"\n/* {kernel.doc} */\n"
+            f"\n/* {kernel.doc}, x in [{kernel.domain[0]!r}, {kernel.domain[1]!r}] */\n"
             f"double gs_special_{name}(double x);\n"
             f"void gs_special_{name}_n(size_t n, const double *x, double *value);\n"
             f"float gs_special_{name}f(float x);\n"

@@ -151,5 +151,5 @@ def fit_piece(function, partition, index, degree):
         coefficients = (*_pair(exact[0]), *_pair(exact[1]), *(float(c) for c in exact[2:]))
         piece = Piece(float(centre), coefficients, 0.0)
         points = [lower + (mpf(upper) - lower) * j / _CHECKS for j in range(_CHECKS + 1)]
-        error = max(abs(piece.value(x) / function(x) - 1) for x in points)
+        error = max(abs(piece.value(x) / value - 1) for x in points if (value := function(x)))
         return Piece(float(centre), coefficients, float(error))

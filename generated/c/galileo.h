@@ -275,37 +275,61 @@ void gs_projectile_best_angle_n(size_t n, const double *alpha, double *angle);
 float gs_projectile_best_anglef(float alpha);
 void gs_projectile_best_angle_nf(size_t n, const float *alpha, float *angle);
 
-/* One-variable functions of x >= 0, dimensionless. Beyond the domain: NaN and FE_INVALID. */
+/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID. */
 
-/* (1 - exp(-z))/z */
+/* (1 - exp(-z))/z, x in [0.0, inf] */
 double gs_special_phi1m(double x);
 void gs_special_phi1m_n(size_t n, const double *x, double *value);
 float gs_special_phi1mf(float x);
 void gs_special_phi1m_nf(size_t n, const float *x, float *value);
 
-/* (z - 1 + exp(-z))/z^2 */
+/* (z - 1 + exp(-z))/z^2, x in [0.0, inf] */
 double gs_special_phi2m(double x);
 void gs_special_phi2m_n(size_t n, const double *x, double *value);
 float gs_special_phi2mf(float x);
 void gs_special_phi2m_nf(size_t n, const float *x, float *value);
 
-/* tau/p with tau - 1 + exp(-tau) = p^2/2 */
+/* tau/p with tau - 1 + exp(-tau) = p^2/2, x in [0.0, inf] */
 double gs_special_descent_factor(double x);
 void gs_special_descent_factor_n(size_t n, const double *x, double *value);
 float gs_special_descent_factorf(float x);
 void gs_special_descent_factor_nf(size_t n, const float *x, float *value);
 
-/* T/(2 b) with T = (1 + b)(1 - exp(-T)) */
+/* T/(2 b) with T = (1 + b)(1 - exp(-T)), x in [0.0, inf] */
 double gs_special_flight_factor(double x);
 void gs_special_flight_factor_n(size_t n, const double *x, double *value);
 float gs_special_flight_factorf(float x);
 void gs_special_flight_factor_nf(size_t n, const float *x, float *value);
 
-/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)) */
+/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), x in [0.0, inf] */
 double gs_special_range_factor(double x);
 void gs_special_range_factor_n(size_t n, const double *x, double *value);
 float gs_special_range_factorf(float x);
 void gs_special_range_factor_nf(size_t n, const float *x, float *value);
+
+/* exp(-z), x in [0.0, inf] */
+double gs_special_exp_minus(double x);
+void gs_special_exp_minus_n(size_t n, const double *x, double *value);
+float gs_special_exp_minusf(float x);
+void gs_special_exp_minus_nf(size_t n, const float *x, float *value);
+
+/* sin(x), x in [-1.5707963267948966, 1.5707963267948966] */
+double gs_special_sin(double x);
+void gs_special_sin_n(size_t n, const double *x, double *value);
+float gs_special_sinf(float x);
+void gs_special_sin_nf(size_t n, const float *x, float *value);
+
+/* cos(x), x in [-1.5707963267948966, 1.5707963267948966] */
+double gs_special_cos(double x);
+void gs_special_cos_n(size_t n, const double *x, double *value);
+float gs_special_cosf(float x);
+void gs_special_cos_nf(size_t n, const float *x, float *value);
+
+/* arctan(x), x in [-inf, inf] */
+double gs_special_arctan(double x);
+void gs_special_arctan_n(size_t n, const double *x, double *value);
+float gs_special_arctanf(float x);
+void gs_special_arctan_nf(size_t n, const float *x, float *value);
 #ifdef __cplusplus
 }
 #endif

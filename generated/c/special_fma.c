@@ -27,6 +27,10 @@ GS_LOOPS(phi2m)
 GS_LOOPS(descent_factor)
 GS_LOOPS(flight_factor)
 GS_LOOPS(range_factor)
+GS_LOOPS(exp_minus)
+GS_LOOPS(sin)
+GS_LOOPS(cos)
+GS_LOOPS(arctan)
 
 #if defined(__clang__)
 #pragma clang attribute pop

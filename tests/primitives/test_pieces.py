@@ -9,7 +9,7 @@ from mpmath import mp, mpf
 
 from galileo_sym.primitives import approximations, pieces, remake
 from galileo_sym.primitives.approximations import APPROXIMATIONS
-from galileo_sym.primitives.kernels import KERNELS
+from galileo_sym.primitives.kernels import BANKED
 from galileo_sym.primitives.pieces import COUNT, Partition
 
 
@@ -50,7 +50,7 @@ def test_an_offset_off_the_grid_is_refused():
 
 def test_banks_follow_one_another():
     """No gap between the approximations of a primitive."""
-    for kernel in KERNELS.values():
+    for kernel in BANKED.values():
         ends = [0.0, *(APPROXIMATIONS[bank].partition.end for bank in kernel.banks)]
         assert ends[:-1] == [APPROXIMATIONS[bank].partition.begin for bank in kernel.banks]
         assert kernel.end == ends[-1]

@@ -1,6 +1,6 @@
 """The primitives in closed form, by mpmath's W: the proof of the approximations has no W and is tried against them."""
 
-from mpmath import asin, e, exp, expm1, lambertw, log, log1p, mp, sqrt
+from mpmath import asin, atan, e, exp, expm1, lambertw, log, log1p, mp, sin, sqrt
 
 GUARD_DIGITS = 50  # W of what is close to -1/e, and expm1 less its argument, lose up to 30
 
@@ -37,6 +37,8 @@ CLOSED_FORMS = {
     "fall_log": lambda y: log1p(_sigma(sqrt(2 * exp(y)))),
     "log": log,
     "omega": lambda y: lambertw(exp(y)).real,
+    "sine": sin,
+    "arctangent": atan,
 }
 
 

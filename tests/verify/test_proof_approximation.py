@@ -31,6 +31,7 @@ from galileo_sym.verify.proof.approximation_functions import (
     phi1,
     phi1_slope,
     phi2,
+    sinc,
     sqrt,
 )
 from galileo_sym.verify.proof.emitted import read
@@ -44,8 +45,14 @@ CONTINUED = {
     "range_tail": "range_factor",
     "fall_tail": "fall_factor",
     "omega_tail": "omega",
+    "arctangent_tail": "arctangent",
 }
-POINTS = {"wm1_branch": (2.0**-6, 0.25, 0.5), "log": (1.25, 2.5, 40.0)}  # elsewhere none or not positive
+POINTS = {  # elsewhere none or not positive, or so small that a short piece is not
+    "wm1_branch": (2.0**-6, 0.25, 0.5),
+    "log": (1.25, 2.5, 40.0),
+    "sine": (0.25, 0.5, 1.25),
+    "arctangent": (0.25, 1.25, 40.0),
+}
 CLAIM = 2.0**-57
 SAMPLES = 18
 CLOSE = 8
@@ -133,6 +140,13 @@ def test_an_error_is_found_in_full_and_the_value_is_enclosed(name, wrong):
 def test_least_value_is_one(name):
     first, second = piece_bounds(name, _committed(name)[:2])
     assert first.smallest == 1 < second.smallest
+
+
+@pytest.mark.parametrize("name", ["sine", "arctangent"])
+def test_what_is_0_at_0_must_be_so(name):
+    first = _committed(name)[0]
+    with pytest.raises(Unproved, match="not 0 where the primitive is"):
+        piece_bounds(name, [replace(first, coefficients=(Fraction(1, 2**80), *first.coefficients[1:]))])
 
 
 def test_two_roots_in_the_neighbourhood_are_refused(monkeypatch):
@@ -261,7 +275,7 @@ def test_a_shortened_series_is_refused():
         analytic(lambda u: u if isinstance(u, Disc) else arb_series(u.coeffs(), 5), _line(2, 1))
 
 
-@pytest.mark.parametrize("mean", [phi1, phi2, phi1_slope, log_mean, log_lag])
+@pytest.mark.parametrize("mean", [phi1, phi2, phi1_slope, log_mean, log_lag, sinc])
 @pytest.mark.parametrize("centre", [-0.125, 0.0, 0.5, 3.0])
 def test_an_average_holds_its_closed_form(mean, centre):
     with precision():

@@ -137,7 +137,7 @@ def test_a_wrong_look_up_is_refused(old, new, why):
         ("return fma(a, b, c);", "return a * b + c;", "gs_fma in plain C"),
         ("_mm512_fmadd_pd", "_mm512_fnmadd_pd", "gs_fma with AVX-512"),
         ("_mm256_add_pd(a, b)", "_mm256_sub_pd(a, b)", "gs_add with AVX2"),
-        ("(bits >> drop) - first", "(bits >> drop) + first", "gs_piece in plain C"),
+        ("(gs_bits(shifted) >> drop) - first", "(gs_bits(shifted) >> drop) + first", "gs_piece in plain C"),
         ("#include <math.h>", "#define gs_add(a, b) (a)\n#include <math.h>", "gs_add is a macro"),
         ("typedef __m256d gs_v;", "typedef __m256 gs_v;", "no vector of __m256d"),
         ("static const double name[16]\n", "static const float name[16]\n", "GS_TABLE"),

@@ -6,7 +6,7 @@ arithmetic for every x of the piece and every F within a factor exp(+-2^-40) of 
 residual has exactly one root there, which is f. The polynomial is exact: rounding errors are the other half.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from flint import arb, arb_poly
 
@@ -93,8 +93,21 @@ def _part(equation, lower, upper, piece, depth=0):
     return relative, (low / (1 + relative)).lower(), (high / (1 - relative)).upper()
 
 
+def _part_over_x(equation, piece):
+    """The same for a piece on which x and f begin with 0, by the quotient of f and x."""
+    first, *others = piece.coefficients
+    if piece.centre or first:
+        raise Unproved("the polynomial is not 0 where the primitive is")
+    quotient = replace(piece, coefficients=tuple(others))
+    relative, _, largest = _part(replace(equation, terms=equation.over_x), piece.lower, piece.upper, quotient)
+    return relative, arb(0), largest * exact(piece.upper)
+
+
 def _piece_bound(equation, piece):
-    relative, smallest, largest = _part(equation, piece.lower, piece.upper, piece)
+    if equation.over_x and not piece.lower:
+        relative, smallest, largest = _part_over_x(equation, piece)
+    else:
+        relative, smallest, largest = _part(equation, piece.lower, piece.upper, piece)
     return Bound(
         piece.index,
         float_below(exact(piece.lower)) if piece.lower else 0.0,

@@ -19,6 +19,7 @@ from galileo_sym.verify.proof.approximation_functions import (
     phi1_slope,
     phi2,
     sin,
+    sinc,
     sqrt,
 )
 
@@ -35,11 +36,14 @@ class Equation:
         A lower bound of the primitive on x >= 0 that follows from its definition and is attained at 0; else 0.
     below : float or None
         The root is the only one between 0 and this; None: the only positive one.
+    over_x : callable or None
+        For a primitive that is 0 at 0: takes x and f/x, on the piece that begins there; no other needs it.
     """
 
     terms: object
     least: int = 0
     below: float | None = None
+    over_x: object = None
 
 
 def _phi1m(x, f):
@@ -144,6 +148,24 @@ def _omega(x, f):
     return f + log(f) - x, f + 1
 
 
+def _sine(x, f):
+    return f - sin(x), f
+
+
+def _sine_over_x(x, ratio):
+    return ratio - sinc(x), ratio
+
+
+def _arctangent(x, f):
+    """The tangent of f is x; the slope keeps its sign for 0 < f < pi/2."""
+    return sin(f) - x * cos(f), f * (cos(f) + x * sin(f))
+
+
+def _arctangent_over_x(x, ratio):
+    f = x * ratio
+    return ratio * sinc(f) - cos(f), ratio * (cos(f) + x * sin(f))
+
+
 EQUATIONS = {
     "phi1m": Equation(_phi1m),
     "phi2m": Equation(_phi2m),
@@ -160,4 +182,6 @@ EQUATIONS = {
     "fall_log": Equation(_fall_log),
     "log": Equation(_log),
     "omega": Equation(_omega),
+    "sine": Equation(_sine, over_x=_sine_over_x),
+    "arctangent": Equation(_arctangent, below=1.5625, over_x=_arctangent_over_x),
 }

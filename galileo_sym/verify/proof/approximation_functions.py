@@ -151,3 +151,4 @@ phi2 = Mean(lambda w: (exp(w) - 1 - w) / w / w, 0.5, exp)  # weight 1 - t
 phi1_slope = Mean(lambda w: (1 + (w - 1) * exp(w)) / w / w, 0.5, exp)  # weight t
 log_mean = Mean(lambda y: log(1 + y) / y, 1.0, _reciprocal)  # weight 1
 log_lag = Mean(lambda y: ((1 + y) * log(1 + y) - y) / y / y, 0.5, _reciprocal)  # weight 1 - t
+sinc = Mean(lambda w: sin(w) / w, 1.0, cos)  # weight 1

@@ -23,18 +23,21 @@ _BY_LANES = {
 }
 # the look-up in plain C; that the vector versions pick the same is a matter of their bits, which the tests compare
 _PLAIN = {
-    "gs_piece": "uint64_t bits; memcpy(&bits, &shifted, sizeof bits); return (int64_t)(bits >> drop) - first;",
+    "gs_bits": "uint64_t bits; memcpy(&bits, &x, sizeof bits); return bits;",
+    "gs_piece": "return (int64_t)(gs_bits(shifted) >> drop) - first;",
     "gs_pick": "return table[i];",
 }
 _COMMON = {
     "gs_rest": "return gs_add(gs_sub(a, s), b);",
     "gs_product_rest": "return gs_fms(a, b, p);",
     "gs_within": "return gs_both(gs_at_least(x, lo), gs_less(x, hi));",
-    "gs_refuse_negative": (
-        "const gs_v zero = gs_v_of(0.0); const gs_mask good = gs_at_least(x, zero); "
-        "const gs_v z = gs_select(good, zero, gs_select(gs_less(x, zero), gs_v_of(INFINITY), x)); "
+    "gs_refuse_beyond": (
+        "const gs_v zero = gs_v_of(0.0); const gs_mask good = gs_both(gs_at_least(x, lower), gs_at_least(upper, x)); "
+        "const gs_v z = gs_select(good, zero, "
+        "gs_select(gs_within(x, gs_v_of(-INFINITY), gs_v_of(INFINITY)), gs_v_of(INFINITY), x)); "
         "*lo = gs_select(good, *lo, zero); return gs_select(good, r, gs_sub(z, z));"
     ),
+    "gs_refuse_negative": "return gs_refuse_beyond(x, gs_v_of(0.0), gs_v_of(INFINITY), r, lo);",
 }
 _VECTORS = ("double", "__m256d", "__m512d")
 _BRANCHES = re.compile(r"#if GS_LANES == 8\n(.*?)\n#elif GS_LANES == 4\n(.*?)\n#else\n(.*?)\n#endif\n(.*)", re.DOTALL)

@@ -2,7 +2,7 @@
 #ifndef GALILEO_LOOPS_H
 #define GALILEO_LOOPS_H
 
-#include "galileo_kernels.h"
+#include "galileo_frames.h"
 
 #define GS_JOIN2(a, b) a##b
 #define GS_JOIN(a, b) GS_JOIN2(a, b)

@@ -45,6 +45,9 @@ static inline gs_v gs_fms(gs_v a, gs_v b, gs_v c) { return _mm512_fmsub_pd(a, b,
 static inline gs_v gs_sqrt(gs_v a) { return _mm512_sqrt_pd(a); }
 static inline gs_v gs_fnma(gs_v a, gs_v b, gs_v c) { return _mm512_fnmadd_pd(a, b, c); }
 static inline gs_v gs_min(gs_v a, gs_v b) { return _mm512_min_pd(a, b); }
+static inline gs_v gs_max(gs_v a, gs_v b) { return _mm512_max_pd(a, b); }
+static inline gs_v gs_abs(gs_v a) { return _mm512_abs_pd(a); }
+static inline gs_v gs_flip(gs_v a, gs_v x) { return _mm512_xor_pd(a, _mm512_and_pd(x, _mm512_set1_pd(-0.0))); }
 static inline gs_mask gs_at_least(gs_v a, gs_v b) { return _mm512_cmp_pd_mask(a, b, _CMP_GE_OQ); }
 static inline gs_mask gs_less(gs_v a, gs_v b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 static inline gs_mask gs_both(gs_mask a, gs_mask b) { return a & b; }
@@ -53,6 +56,22 @@ static inline gs_v gs_select(gs_mask m, gs_v a, gs_v b) { return _mm512_mask_ble
 static inline gs_index gs_piece(gs_v shifted, int64_t first, int drop)
 {
     return _mm512_sub_epi64(_mm512_srl_epi64(_mm512_castpd_si512(shifted), _mm_cvtsi32_si128(drop)), _mm512_set1_epi64(first));
+}
+static inline gs_index gs_low_index(gs_v u) { return _mm512_castpd_si512(u); } /* a permutation takes its last four bits */
+static inline gs_v gs_power(gs_v u)
+{
+    const __m512i n = _mm512_slli_epi64(_mm512_srli_epi64(_mm512_castpd_si512(u), 4), 52);
+    return _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(0x3ff0000000000000), n));
+}
+static inline gs_v gs_exponent(gs_v x)
+{
+    const __m512i k = _mm512_or_si512(_mm512_srli_epi64(_mm512_castpd_si512(x), 52), _mm512_set1_epi64(0x4330000000000000));
+    return gs_sub(_mm512_castsi512_pd(k), gs_v_of(0x1.00000000004p+52));
+}
+static inline gs_v gs_mantissa(gs_v x)
+{
+    const __m512i fraction = _mm512_and_si512(_mm512_castpd_si512(x), _mm512_set1_epi64(0xfffffffffffff));
+    return _mm512_castsi512_pd(_mm512_or_si512(fraction, _mm512_set1_epi64(0x4000000000000000)));
 }
 static inline gs_v gs_pick(const double table[16], gs_index i) /* table[i], 0 <= i < 16 */
 {
@@ -87,21 +106,43 @@ static inline gs_v gs_fms(gs_v a, gs_v b, gs_v c) { return _mm256_fmsub_pd(a, b,
 static inline gs_v gs_sqrt(gs_v a) { return _mm256_sqrt_pd(a); }
 static inline gs_v gs_fnma(gs_v a, gs_v b, gs_v c) { return _mm256_fnmadd_pd(a, b, c); }
 static inline gs_v gs_min(gs_v a, gs_v b) { return _mm256_min_pd(a, b); }
+static inline gs_v gs_max(gs_v a, gs_v b) { return _mm256_max_pd(a, b); }
+static inline gs_v gs_abs(gs_v a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
+static inline gs_v gs_flip(gs_v a, gs_v x) { return _mm256_xor_pd(a, _mm256_and_pd(x, _mm256_set1_pd(-0.0))); }
 static inline gs_mask gs_at_least(gs_v a, gs_v b) { return _mm256_cmp_pd(a, b, _CMP_GE_OQ); }
 static inline gs_mask gs_less(gs_v a, gs_v b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 static inline gs_mask gs_both(gs_mask a, gs_mask b) { return _mm256_and_pd(a, b); }
 static inline int gs_all(gs_mask m) { return _mm256_movemask_pd(m) == 0xf; }
 static inline gs_v gs_select(gs_mask m, gs_v a, gs_v b) { return _mm256_blendv_pd(b, a, m); }
 /* each index 0..15 as the permutation of floats that picks it out of four doubles, and its bits 2 and 3 as masks */
-static inline gs_index gs_piece(gs_v shifted, int64_t first, int drop)
+static inline gs_index gs_index_of(__m256i i)
 {
-    const __m256i i = _mm256_sub_epi64(_mm256_srl_epi64(_mm256_castpd_si256(shifted), _mm_cvtsi32_si128(drop)), _mm256_set1_epi64x(first));
     const __m256i twice = _mm256_add_epi64(i, i);
     gs_index r;
     r.pair = _mm256_or_si256(_mm256_or_si256(twice, _mm256_slli_epi64(twice, 32)), _mm256_set1_epi64x(0x100000000));
     r.upper = _mm256_castsi256_pd(_mm256_slli_epi64(i, 61));
     r.high = _mm256_castsi256_pd(_mm256_slli_epi64(i, 60));
     return r;
+}
+static inline gs_index gs_piece(gs_v shifted, int64_t first, int drop)
+{
+    return gs_index_of(_mm256_sub_epi64(_mm256_srl_epi64(_mm256_castpd_si256(shifted), _mm_cvtsi32_si128(drop)), _mm256_set1_epi64x(first)));
+}
+static inline gs_index gs_low_index(gs_v u) { return gs_index_of(_mm256_and_si256(_mm256_castpd_si256(u), _mm256_set1_epi64x(15))); }
+static inline gs_v gs_power(gs_v u)
+{
+    const __m256i n = _mm256_slli_epi64(_mm256_srli_epi64(_mm256_castpd_si256(u), 4), 52);
+    return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_set1_epi64x(0x3ff0000000000000), n));
+}
+static inline gs_v gs_exponent(gs_v x)
+{
+    const __m256i k = _mm256_or_si256(_mm256_srli_epi64(_mm256_castpd_si256(x), 52), _mm256_set1_epi64x(0x4330000000000000));
+    return gs_sub(_mm256_castsi256_pd(k), gs_v_of(0x1.00000000004p+52));
+}
+static inline gs_v gs_mantissa(gs_v x)
+{
+    const __m256i fraction = _mm256_and_si256(_mm256_castpd_si256(x), _mm256_set1_epi64x(0xfffffffffffff));
+    return _mm256_castsi256_pd(_mm256_or_si256(fraction, _mm256_set1_epi64x(0x4000000000000000)));
 }
 static inline gs_v gs_pick(const double table[16], gs_index i)
 {
@@ -140,26 +181,38 @@ static inline gs_v gs_fms(gs_v a, gs_v b, gs_v c) { return fma(a, b, -c); }
 static inline gs_v gs_sqrt(gs_v a) { return sqrt(a); }
 static inline gs_v gs_fnma(gs_v a, gs_v b, gs_v c) { return fma(-a, b, c); }
 static inline gs_v gs_min(gs_v a, gs_v b) { return isless(a, b) ? a : b; }
+static inline gs_v gs_max(gs_v a, gs_v b) { return isgreater(a, b) ? a : b; }
+static inline gs_v gs_abs(gs_v a) { return fabs(a); }
+static inline gs_v gs_flip(gs_v a, gs_v x) { return signbit(x) ? -a : a; }
 static inline gs_mask gs_at_least(gs_v a, gs_v b) { return isgreaterequal(a, b); }
 static inline gs_mask gs_less(gs_v a, gs_v b) { return isless(a, b); }
 static inline gs_mask gs_both(gs_mask a, gs_mask b) { return a && b; }
 static inline int gs_all(gs_mask m) { return m; }
 static inline gs_v gs_select(gs_mask m, gs_v a, gs_v b) { return m ? a : b; }
-static inline gs_index gs_piece(gs_v shifted, int64_t first, int drop)
+static inline uint64_t gs_bits(double x)
 {
     uint64_t bits;
-    memcpy(&bits, &shifted, sizeof bits);
-    return (int64_t)(bits >> drop) - first;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
 }
+static inline double gs_of_bits(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+static inline gs_index gs_piece(gs_v shifted, int64_t first, int drop) { return (int64_t)(gs_bits(shifted) >> drop) - first; }
+static inline gs_index gs_low_index(gs_v u) { return (int64_t)(gs_bits(u) & 15); }
+static inline gs_v gs_power(gs_v u) { return gs_of_bits(0x3ff0000000000000 - (gs_bits(u) >> 4 << 52)); }
+static inline gs_v gs_exponent(gs_v x) { return gs_of_bits(gs_bits(x) >> 52 | 0x4330000000000000) - 0x1.00000000004p+52; }
+static inline gs_v gs_mantissa(gs_v x) { return gs_of_bits((gs_bits(x) & 0xfffffffffffff) | 0x4000000000000000); }
 static inline gs_v gs_pick(const double table[16], gs_index i) { return table[i]; }
 static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
 {
-    uint64_t bits;
-    memcpy(&bits, &hi, sizeof bits);
-    if (lo != 0.0 && bits % 2 == 0)
-        bits += (lo < 0.0) == (hi < 0.0) ? 1 : (uint64_t)-1;
-    memcpy(&hi, &bits, sizeof hi);
-    return hi;
+    const uint64_t bits = gs_bits(hi);
+    if (lo == 0.0 || bits % 2 == 1)
+        return hi;
+    return gs_of_bits((lo < 0.0) == (hi < 0.0) ? bits + 1 : bits - 1);
 }
 
 #endif
@@ -167,20 +220,33 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
 /* The exact rest of s = a + b, rounded, where |a| >= |b| or a = 0. */
 static inline gs_v gs_rest(gs_v a, gs_v b, gs_v s) { return gs_add(gs_sub(a, s), b); }
 
+/* The exact rest of s = a + b, rounded. */
+static inline gs_v gs_sum_rest(gs_v a, gs_v b, gs_v s)
+{
+    const gs_v b_part = gs_sub(s, a);
+    return gs_add(gs_sub(a, gs_sub(s, b_part)), gs_sub(b, b_part));
+}
+
 /* The exact rest of p = a b, rounded. */
 static inline gs_v gs_product_rest(gs_v a, gs_v b, gs_v p) { return gs_fms(a, b, p); }
 
 /* lo <= x < hi, false for NaN */
 static inline gs_mask gs_within(gs_v x, gs_v lo, gs_v hi) { return gs_both(gs_at_least(x, lo), gs_less(x, hi)); }
 
-/* r where x >= 0; NaN with FE_INVALID where x < 0, without it where x is NaN. */
-static inline gs_v gs_refuse_negative(gs_v x, gs_v r, gs_v *lo)
+/* r where lower <= x <= upper; NaN with FE_INVALID elsewhere, without it where x is NaN. */
+static inline gs_v gs_refuse_beyond(gs_v x, gs_v lower, gs_v upper, gs_v r, gs_v *lo)
 {
     const gs_v zero = gs_v_of(0.0);
-    const gs_mask good = gs_at_least(x, zero);
-    const gs_v z = gs_select(good, zero, gs_select(gs_less(x, zero), gs_v_of(INFINITY), x));
+    const gs_mask good = gs_both(gs_at_least(x, lower), gs_at_least(upper, x));
+    const gs_v z = gs_select(good, zero, gs_select(gs_within(x, gs_v_of(-INFINITY), gs_v_of(INFINITY)), gs_v_of(INFINITY), x));
     *lo = gs_select(good, *lo, zero);
     return gs_select(good, r, gs_sub(z, z));
+}
+
+/* The same for the domain x >= 0. */
+static inline gs_v gs_refuse_negative(gs_v x, gs_v r, gs_v *lo)
+{
+    return gs_refuse_beyond(x, gs_v_of(0.0), gs_v_of(INFINITY), r, lo);
 }
 
 #endif

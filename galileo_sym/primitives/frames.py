@@ -1,0 +1,44 @@
+"""Primitives that take more than a look-up: lines for each range of the argument, around the approximations."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Range:
+    """[begin, end), or [begin, inf] if end is infinite, and the lines that there compute ``r`` and ``lo`` from ``x``.
+
+    ``instead`` is the argument that other lanes are given: one that raises no flag; begin by default.
+    """
+
+    begin: float
+    end: float
+    lines: tuple
+    instead: float = None
+
+    @property
+    def harmless(self):
+        """An argument that raises no flag."""
+        return self.begin if self.instead is None else self.instead
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A primitive: the first of its ranges is the typical one; the others are looked at only if some lane needs them.
+
+    ``domain`` is the least and the greatest argument, beyond which the value is NaN. ``parity`` is "odd" or "even" for
+    a function whose ranges are of abs(x). ``banks`` are the approximations that the lines look up, ``tables`` other
+    tables of 16 values.
+    """
+
+    name: str
+    doc: str
+    banks: tuple
+    ranges: tuple
+    domain: tuple
+    parity: str = ""
+    tables: dict = field(default_factory=dict)
+
+    @property
+    def thresholds(self):
+        """Where one form gives way to the next."""
+        return tuple(r.begin for r in self.ranges) + tuple(v for v in self.domain if abs(v) < float("inf"))
