@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import inf
 
-from galileo_sym.primitives import elementary
+from galileo_sym.primitives import best_frames, elementary, lambert_frames
 from galileo_sym.primitives.approximations import APPROXIMATIONS
 from galileo_sym.primitives.lines import Line
 
@@ -76,4 +76,5 @@ BANKED = {
     )
 }
 
-KERNELS = BANKED | {frame.name: frame for frame in elementary.FRAMES}
+_FRAMES = (*best_frames.FRAMES, *lambert_frames.FRAMES, *elementary.FRAMES)
+KERNELS = BANKED | {frame.name: frame for frame in _FRAMES}

@@ -307,6 +307,48 @@ void gs_special_range_factor_n(size_t n, const double *x, double *value);
 float gs_special_range_factorf(float x);
 void gs_special_range_factor_nf(size_t n, const float *x, float *value);
 
+/* a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2, x in [0.0, inf] */
+double gs_special_best_sine(double x);
+void gs_special_best_sine_n(size_t n, const double *x, double *value);
+float gs_special_best_sinef(float x);
+void gs_special_best_sine_nf(size_t n, const float *x, float *value);
+
+/* asin of best_sine, x in [0.0, inf] */
+double gs_special_best_angle(double x);
+void gs_special_best_angle_n(size_t n, const double *x, double *value);
+float gs_special_best_anglef(float x);
+void gs_special_best_angle_nf(size_t n, const float *x, float *value);
+
+/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, x in [0.0, inf] */
+double gs_special_max_range_factor(double x);
+void gs_special_max_range_factor_n(size_t n, const double *x, double *value);
+float gs_special_max_range_factorf(float x);
+void gs_special_max_range_factor_nf(size_t n, const float *x, float *value);
+
+/* 1 + W0(-exp(-1 - x)), x in [0.0, inf] */
+double gs_special_w0_offset(double x);
+void gs_special_w0_offset_n(size_t n, const double *x, double *value);
+float gs_special_w0_offsetf(float x);
+void gs_special_w0_offset_nf(size_t n, const float *x, float *value);
+
+/* 1 + W-1(-exp(-1 - x)), x in [0.0, inf] */
+double gs_special_wm1_offset(double x);
+void gs_special_wm1_offset_n(size_t n, const double *x, double *value);
+float gs_special_wm1_offsetf(float x);
+void gs_special_wm1_offset_nf(size_t n, const float *x, float *value);
+
+/* W0(x): w exp(w) = x, w >= -1, x in [-0.3678794411714423, inf] */
+double gs_special_w0(double x);
+void gs_special_w0_n(size_t n, const double *x, double *value);
+float gs_special_w0f(float x);
+void gs_special_w0_nf(size_t n, const float *x, float *value);
+
+/* W-1(x): w exp(w) = x, w <= -1; -inf at 0, x in [-0.3678794411714423, 0.0] */
+double gs_special_wm1(double x);
+void gs_special_wm1_n(size_t n, const double *x, double *value);
+float gs_special_wm1f(float x);
+void gs_special_wm1_nf(size_t n, const float *x, float *value);
+
 /* exp(-z), x in [0.0, inf] */
 double gs_special_exp_minus(double x);
 void gs_special_exp_minus_n(size_t n, const double *x, double *value);

@@ -4,6 +4,3184 @@
 
 #include "galileo_kernels.h"
 
+/* a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2, on [0.0, 15.0): degree 13 on each of 16 pieces. */
+GS_TABLE(gs_best_sine_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-2, 0x1.4000000000000p-1, 0x1.c000000000000p-1,
+    0x1.4000000000000p+0, 0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1,
+    0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.6000000000000p+2, 0x1.a000000000000p+2,
+    0x1.0000000000000p+3, 0x1.4000000000000p+3, 0x1.8000000000000p+3, 0x1.c000000000000p+3
+};
+GS_TABLE(gs_best_sine_c0) = {
+    0x1.6a09e667f3bcdp-1, 0x1.4db1310d4ce08p-1, 0x1.3e047ddb5bb17p-1, 0x1.3041d6c13a01cp-1,
+    0x1.1e68003ddbb06p-1, 0x1.0a87e46f3193dp-1, 0x1.f3ec5c8ff64c8p-2, 0x1.d7b6e9cee2748p-2,
+    0x1.b44642032c268p-2, 0x1.8e409e79b26dbp-2, 0x1.6fa3c4b806507p-2, 0x1.565076cb7b576p-2,
+    0x1.37677615722e2p-2, 0x1.174f1159d334ap-2, 0x1.fc76659370e24p-3, 0x1.d3f4d5eedcac3p-3
+};
+GS_TABLE(gs_best_sine_c0_lo) = {
+    -0x1.bdd3413b26456p-55, -0x1.74274723f72a0p-56, 0x1.ae98ed629a694p-55, -0x1.c3effbb912aa3p-55,
+    -0x1.7ffc218288808p-56, 0x1.785200414d0f9p-55, -0x1.28909a2588bdbp-56, 0x1.e38a09cad1183p-56,
+    -0x1.b69fd46fa1a67p-56, -0x1.e02557cd48de1p-56, -0x1.19f0438e61245p-56, -0x1.95c02682144b9p-57,
+    -0x1.3b3d0dc2c565ep-59, -0x1.7d29c54861c41p-58, -0x1.cbd826d7e36d8p-58, -0x1.574e291407334p-58
+};
+GS_TABLE(gs_best_sine_c1) = {
+    -0x1.5555555555555p-3, -0x1.0cb29db5e7571p-3, -0x1.d49865081bf17p-4, -0x1.9e0eee24a08a7p-4,
+    -0x1.5ea6c6186155ep-4, -0x1.20cfe79209d63p-4, -0x1.e72f7493e7555p-5, -0x1.a27259401b257p-5,
+    -0x1.55eefefca0a7ap-5, -0x1.0eff5c8390dc0p-5, -0x1.bb1aece058497p-6, -0x1.72d69379c0ebdp-6,
+    -0x1.25832d45a659dp-6, -0x1.c1eb09667591dp-7, -0x1.66365b8d6178ap-7, -0x1.255f10f3117a9p-7
+};
+GS_TABLE(gs_best_sine_c1_lo) = {
+    -0x1.520e12b11e428p-57, -0x1.b71a99d51100dp-57, -0x1.f28ada1e9d853p-61, 0x1.b0605b41eac11p-58,
+    -0x1.1827cad49e347p-59, -0x1.aaf07f27a3944p-58, 0x1.0c0fe2492c52dp-59, 0x1.f1472c767a1f0p-60,
+    0x1.bcdd9554bd18bp-59, 0x1.e24fce1c86eb8p-61, 0x1.2b3f70ffcafe2p-60, 0x1.36c50e539f039p-63,
+    0x1.a4d06d7f1a0efp-60, -0x1.6ddfed4a1404fp-62, -0x1.b6494764b9d79p-61, 0x1.1d337f667ff58p-61
+};
+GS_TABLE(gs_best_sine_c2) = {
+    0x1.e2b7dddfefa59p-5, 0x1.372cfcf2922d9p-5, 0x1.e6c6f672e9069p-6, 0x1.8701fbb9e8c74p-6,
+    0x1.245c14aa3a5c7p-6, 0x1.a23d00bb46ce8p-7, 0x1.38aa26a194f3ap-7, 0x1.e340b1946e582p-8,
+    0x1.581e220283308p-8, 0x1.d300c4d332b08p-9, 0x1.4e833131576c2p-9, 0x1.f2f1608c8c371p-10,
+    0x1.54136aaea98c8p-10, 0x1.b8d10432535ddp-11, 0x1.3084ac325cc80p-11, 0x1.b8fa62bd7d96fp-12
+};
+GS_TABLE(gs_best_sine_c3) = {
+    -0x1.a8c536fe19409p-6, -0x1.b21caf7565353p-7, -0x1.2c2a78ced9bfdp-7, -0x1.b174059a909efp-8,
+    -0x1.1a7a6c9d78506p-8, -0x1.5a9070873d44cp-9, -0x1.c70be99cf83c2p-10, -0x1.3a247bd39e898p-10,
+    -0x1.82ac09732a12dp-11, -0x1.bdad712116052p-12, -0x1.1608464236ecdp-12, -0x1.6fd1c42c78cb9p-13,
+    -0x1.ad748a270b0e1p-14, -0x1.d43757229340bp-15, -0x1.17822fb54e807p-15, -0x1.64b44378904f1p-16
+};
+GS_TABLE(gs_best_sine_c4) = {
+    0x1.b27247af0d533p-7, 0x1.570d59f84eda6p-8, 0x1.9e9ea3b404f79p-9, 0x1.0abbf2e333c42p-9,
+    0x1.2c0177fd56677p-10, 0x1.38a8b9507b2d6p-11, 0x1.6606503338928p-12, 0x1.b740919ebc9f5p-13,
+    0x1.d07d591fb6f88p-14, 0x1.c416390e7e892p-15, 0x1.e932eb15f0eaep-16, 0x1.1e15b4b093b75p-16,
+    0x1.1d0ab06fd35bep-17, 0x1.04749db4826a7p-18, 0x1.0c03a61683deap-19, 0x1.2cce5c6bfc4cbp-20
+};
+GS_TABLE(gs_best_sine_c5) = {
+    -0x1.f1029e0e3f768p-8, -0x1.29663af71a206p-9, -0x1.375c0583f5e21p-10, -0x1.627a88d7b1125p-11,
+    -0x1.55558ebe5266cp-12, -0x1.2be2fe60ef173p-13, -0x1.29d3fa65348a4p-14, -0x1.43529ad571f8cp-15,
+    -0x1.2456785221b82p-16, -0x1.de612c4727eb2p-18, -0x1.bf7d0ba9dfe55p-19, -0x1.cd93e9ca5055ap-20,
+    -0x1.875bab02ffbd2p-21, -0x1.2ae79a701f9d3p-22, -0x1.0893bd734ea46p-23, -0x1.04c29ceb6d522p-24
+};
+GS_TABLE(gs_best_sine_c6) = {
+    0x1.35d100d0baef2p-8, 0x1.150fa3c83cfbdp-10, 0x1.f322f7961fd4cp-12, 0x1.f41e880b7f515p-13,
+    0x1.99b487c8ee400p-14, 0x1.2d96ebf4d7438p-15, 0x1.029a25bdd65d4p-16, 0x1.ef1c847867c90p-18,
+    0x1.7d48ae8503688p-19, 0x1.0548f5f1bcac5p-20, 0x1.a572c7eba1db3p-22, 0x1.7e9c10f436a36p-23,
+    0x1.136f4fb8a8ba3p-24, 0x1.5eeb71e0eb72cp-26, 0x1.0ac69b9acaf23p-27, 0x1.cd3883ea9ecbfp-29
+};
+GS_TABLE(gs_best_sine_c7) = {
+    -0x1.9d039c9ee8e97p-9, -0x1.11546ec58bcfdp-11, -0x1.a58b8bef9260ap-13, -0x1.7231dad358eb4p-14,
+    -0x1.00bc62f193a04p-15, -0x1.3b1e6558600dfp-17, -0x1.d0dacfb8e40dap-19, -0x1.87468ba68caffp-20,
+    -0x1.ff9cb1fa496fep-22, -0x1.24bac6a102ec9p-23, -0x1.962d2c678878cp-25, -0x1.43febbc2b2c4ap-26,
+    -0x1.8b50088637b02p-28, -0x1.a35341fd86b95p-30, -0x1.116e494216083p-31, -0x1.9e3726b0bcfa8p-33
+};
+GS_TABLE(gs_best_sine_c8) = {
+    0x1.222ae2d35af4ep-9, 0x1.1a6baadda48e4p-12, 0x1.738638cec14dep-14, 0x1.1d124cd70de21p-15,
+    0x1.4d71f39c1ccd6p-17, 0x1.53da79ab4dd2ap-19, 0x1.adf01f5fac8eep-21, 0x1.3d6f55dae7c5bp-22,
+    0x1.5f660dc27d62ep-24, 0x1.4edc5f395ad47p-26, 0x1.8eedff0fb4da9p-28, 0x1.173085335b630p-29,
+    0x1.2034d130ac248p-31, 0x1.fc4596efb0cadp-34, 0x1.1bf7ea7ac6e75p-35, 0x1.789e5395e3089p-37
+};
+GS_TABLE(gs_best_sine_c9) = {
+    -0x1.a86162d508942p-10, -0x1.2f0fda746d236p-13, -0x1.532e25f1162c8p-15, -0x1.c5bc4ef836d6ep-17,
+    -0x1.be3c7c96a761bp-19, -0x1.7877597b3c998p-21, -0x1.97665ae545119p-23, -0x1.0751735d5a427p-24,
+    -0x1.ec68b1e473cb6p-27, -0x1.85dc0c78fafbfp-29, -0x1.8e1b715922b51p-31, -0x1.e84532722dfbcp-33,
+    -0x1.a9d728266c29ap-35, -0x1.37bad1475f834p-37, -0x1.2a27821579476p-39, -0x1.59f249e6f688ap-41
+};
+GS_TABLE(gs_best_sine_c10) = {
+    0x1.3c763dcd5054ep-10, 0x1.4f7b61a47db5dp-14, 0x1.3edeb8621c0b9p-16, 0x1.7339588c57125p-18,
+    0x1.322e12bfc2e33p-20, 0x1.aa9d61f238662p-23, 0x1.8a230b06be734p-25, 0x1.bd4735661dd11p-27,
+    0x1.5ed7d846a5754p-29, 0x1.ccc0fead01977p-32, 0x1.92bc843c47925p-34, 0x1.b05a76d0fdebap-36,
+    0x1.3e0e3c0bbd1fap-38, 0x1.823331cc6d52ap-41, 0x1.3bf03016ffb20p-43, 0x1.40831b81dbbe5p-45
+};
+GS_TABLE(gs_best_sine_c11) = {
+    -0x1.c61881c75dce6p-11, -0x1.7d38230d3358bp-15, -0x1.335086f487f61p-17, -0x1.36f5825dadbd9p-19,
+    -0x1.ad8d4fa945dd0p-22, -0x1.ed2b7ce122173p-25, -0x1.844bbcc96c6e1p-27, -0x1.7ed6be77adabep-29,
+    -0x1.fbac4807c81b0p-32, -0x1.13f2f87f548c7p-34, -0x1.9c5d4a2ea82c7p-37, -0x1.8316db625d7dfp-39,
+    -0x1.e00211163633bp-42, -0x1.e2c7c8cdefdaap-45, -0x1.518474c65e657p-47, -0x1.2b301df876717p-49
+};
+GS_TABLE(gs_best_sine_c12) = {
+    0x1.0d64069a078fep-11, 0x1.c397809b4f73dp-16, 0x1.32c1ec3516621p-18, 0x1.0c98f28152724p-20,
+    0x1.3c52d974838d8p-23, 0x1.27dc22fe97712p-26, 0x1.8a487ab37a135p-29, 0x1.51ac5657e96efp-31,
+    0x1.7fe1f2f46937cp-34, 0x1.5582c3d7c7686p-37, 0x1.b13e3e642af4cp-40, 0x1.620133af2d853p-42,
+    0x1.79a16093ff100p-45, 0x1.36fde25fda61cp-48, 0x1.7112c50fe2aedp-51, 0x1.1c9b75df598a9p-53
+};
+GS_TABLE(gs_best_sine_c13) = {
+    -0x1.70fced52dc9f2p-13, -0x1.0b5c6da39944bp-16, -0x1.338bc2040a0d3p-19, -0x1.d352f876eb4a4p-22,
+    -0x1.cc0f78ea9862fp-25, -0x1.6171f4925e1c5p-28, -0x1.905974f7fb438p-31, -0x1.2a8c0e0c3cfa3p-33,
+    -0x1.1cf36dadace2bp-36, -0x1.a268a19f93d7cp-40, -0x1.c4b3eedc7945dp-43, -0x1.42e1afd3cb9f6p-45,
+    -0x1.21d2cf319e413p-48, -0x1.8a9b30ac465f8p-52, -0x1.8fa43675c9456p-55, -0x1.0d0016e4bf8fbp-57
+};
+
+static inline gs_v gs_best_sine_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_best_sine_centre, i));
+    const gs_v q13 = gs_pick(gs_best_sine_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_best_sine_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_best_sine_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_best_sine_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_best_sine_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_best_sine_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_best_sine_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_best_sine_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_best_sine_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_best_sine_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_best_sine_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_best_sine_c2, i));
+    const gs_v c1 = gs_pick(gs_best_sine_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_best_sine_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_best_sine_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_best_sine_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_best_sine_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_best_sine_centre, i));
+    const gs_v q13 = gs_pick(gs_best_sine_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_best_sine_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_best_sine_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_best_sine_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_best_sine_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_best_sine_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_best_sine_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_best_sine_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_best_sine_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_best_sine_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_best_sine_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_best_sine_c2, i));
+    const gs_v c1 = gs_pick(gs_best_sine_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_best_sine_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_best_sine_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_best_sine_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* log(m), on [2.0, 4.0): degree 9 on each of 16 pieces. */
+GS_TABLE(gs_log_centre) = {
+    0x1.0800000000000p+1, 0x1.1800000000000p+1, 0x1.2800000000000p+1, 0x1.3800000000000p+1,
+    0x1.4800000000000p+1, 0x1.5800000000000p+1, 0x1.6800000000000p+1, 0x1.7800000000000p+1,
+    0x1.8800000000000p+1, 0x1.9800000000000p+1, 0x1.a800000000000p+1, 0x1.b800000000000p+1,
+    0x1.c800000000000p+1, 0x1.d800000000000p+1, 0x1.e800000000000p+1, 0x1.f800000000000p+1
+};
+GS_TABLE(gs_log_c0) = {
+    0x1.72a57d76dfb87p-1, 0x1.90c5d5056e759p-1, 0x1.ad397bd023738p-1, 0x1.c82d9a6374f9cp-1,
+    0x1.e1c891a51c97ap-1, 0x1.fa2b45c6ac888p-1, 0x1.08b90ef531f6ap+0, 0x1.13dae612d6d8ep+0,
+    0x1.1e85f5e7040d0p+0, 0x1.28c3c00ad8e20p+0, 0x1.329cad2500577p+0, 0x1.3c18368f787ecp+0,
+    0x1.453d088c1f585p+0, 0x1.4e111e9283204p+0, 0x1.5699dae553c55p+0, 0x1.5edc1a597ec8ep+0
+};
+GS_TABLE(gs_log_c0_lo) = {
+    0x1.bcacc4cfe7ed3p-56, -0x1.5cd037bce95a2p-55, 0x1.0c5609217df61p-58, 0x1.4bed679110641p-55,
+    -0x1.39d05c4be9ca6p-56, -0x1.f1d6d8e6593b0p-55, 0x1.76f27f3c8e70ep-55, 0x1.20952e1dd7352p-54,
+    0x1.ef5d0451e7939p-55, -0x1.ac52a165f1205p-55, -0x1.f58187e88d5e3p-60, 0x1.be0ff6ff08249p-54,
+    0x1.07895102f339ep-56, 0x1.be7a8a1dd4c2fp-54, 0x1.bd0692c0b23fap-56, 0x1.85164907bcaa0p-56
+};
+GS_TABLE(gs_log_c1) = {
+    0x1.f07c1f07c1f08p-2, 0x1.d41d41d41d41dp-2, 0x1.bacf914c1bad0p-2, 0x1.a41a41a41a41ap-2,
+    0x1.8f9c18f9c18fap-2, 0x1.7d05f417d05f4p-2, 0x1.6c16c16c16c17p-2, 0x1.5c9882b931057p-2,
+    0x1.4e5e0a72f0539p-2, 0x1.4141414141414p-2, 0x1.3521cfb2b78c1p-2, 0x1.29e4129e4129ep-2,
+    0x1.1f7047dc11f70p-2, 0x1.15b1e5f75270dp-2, 0x1.0c9714fbcda3bp-2, 0x1.0410410410410p-2
+};
+GS_TABLE(gs_log_c1_lo) = {
+    -0x1.ee683640e456fp-57, 0x1.07dba68b62aefp-56, -0x1.ba840bd9ec453p-56, 0x1.06baba118a62ap-56,
+    -0x1.f3524e103a712p-57, 0x1.7d3fc410ef7a2p-58, -0x1.f48dc2783f35bp-57, 0x1.31104f8bdeaabp-57,
+    0x1.e0aa9e35e4f5dp-56, 0x1.414a19e3ee3edp-58, 0x1.a91163339e2a7p-57, 0x1.04a886fdf66d2p-56,
+    0x1.1f70ee661866ap-56, 0x1.15b9054f93818p-60, -0x1.f79aa96639eeep-57, 0x1.04107865000cap-56
+};
+GS_TABLE(gs_log_c2) = {
+    -0x1.e1709a36115dfp-4, -0x1.abfd7e03c2f64p-4, -0x1.7ef8b5038d8c5p-4, -0x1.58b31509ee276p-4,
+    -0x1.37e3fa847e17dp-4, -0x1.1b8d5c5929f30p-4, -0x1.02e85c0898b6cp-4, -0x1.daaefe42fbf13p-5,
+    -0x1.b4b985cf97ef8p-5, -0x1.9324b647d96adp-5, -0x1.754aa3dca3adep-5, -0x1.5aa2fe645e71dp-5,
+    -0x1.42bcf25e65035p-5, -0x1.2d3a774906fc8p-5, -0x1.19ccad18f9539p-5, -0x1.0831051872092p-5
+};
+GS_TABLE(gs_log_c3) = {
+    0x1.373bdd3a39c41p-5, 0x1.04dec6b6b6389p-5, 0x1.b99ff354d1596p-6, 0x1.791b70b9e8190p-6,
+    0x1.4491ab348b8afp-6, 0x1.195aa70b13cb4p-6, 0x1.eaf7334380679p-7, 0x1.aeeb1d49847c7p-7,
+    0x1.7c46fc5a34304p-7, 0x1.5145326e4e271p-7, 0x1.2c82ee2d98b29p-7, 0x1.0ce7f2572bc99p-7,
+    0x1.e329d6a24661cp-8, 0x1.b3acc973bee54p-8, 0x1.8a361ab73869bp-8, 0x1.65d8bf1d0c3d2p-8
+};
+GS_TABLE(gs_log_c4) = {
+    -0x1.c4b42a85141f6p-7, -0x1.65c3ceb274968p-7, -0x1.1e7596eb7ebcbp-7, -0x1.d021c5d1ceefap-8,
+    -0x1.7bfbb5b491fd0p-8, -0x1.3a11d83c410a6p-8, -0x1.05d92c686ed97p-8, -0x1.b8163e978d21ep-9,
+    -0x1.74843b1f08e8ep-9, -0x1.3d6e4d95167e3p-9, -0x1.10294ba21d334p-9, -0x1.d55cff6e59e4cp-10,
+    -0x1.96dfdd2a66264p-10, -0x1.627289dc0a62fp-10, -0x1.3632f7a530478p-10, -0x1.10a523e564839p-10
+};
+GS_TABLE(gs_log_c5) = {
+    0x1.5f3039cf62106p-8, 0x1.05adf06b39405p-8, 0x1.8c65d4fe0733cp-9, 0x1.30a9346505fb5p-9,
+    0x1.da840221407f7p-10, 0x1.75f64a1a8a4b2p-10, 0x1.29ecdaeae68b7p-10, 0x1.df69ef3719b8fp-11,
+    0x1.853de3ea1d171p-11, 0x1.3eacfa8fa975ap-11, 0x1.06eb08570fe40p-11, 0x1.b4ef3dd760d06p-12,
+    0x1.6d79241420a05p-12, 0x1.3396989c3e6abp-12, 0x1.045d23cb48811p-12, 0x1.bb280cd591fb2p-13
+};
+GS_TABLE(gs_log_c6) = {
+    -0x1.1bc9cc845ff9fp-9, -0x1.8ebfd15cccaacp-10, -0x1.1db11ffad44d1p-10, -0x1.a0a150351bd47p-11,
+    -0x1.34a0bfc8b78d9p-11, -0x1.cfd42889f085cp-12, -0x1.6118b0311bcf5p-12, -0x1.1001fc923344bp-12,
+    -0x1.a7aa165094a9ap-13, -0x1.4d416cde845cbp-13, -0x1.0892560268ed6p-13, -0x1.a7b1ac5875405p-14,
+    -0x1.55f693bdcf03fp-14, -0x1.160bbd7df812dp-14, -0x1.c747ed6c06e20p-15, -0x1.7728ab5ae916ep-15
+};
+GS_TABLE(gs_log_c7) = {
+    0x1.d7c07d1e829edp-11, 0x1.387d3da10ffecp-11, 0x1.a792f5e4e710dp-12, 0x1.2503bbf7d9294p-12,
+    0x1.9cf00d3852617p-13, 0x1.27dd3a938e723p-13, 0x1.ae70fd3f780f3p-14, 0x1.3d7aecdfc8d6fp-14,
+    0x1.da4e7697f80c3p-15, 0x1.6675b3368e270p-15, 0x1.11d7a2accf2a6p-15, 0x1.a697f179a2b6dp-16,
+    0x1.491b808d09489p-16, 0x1.0285a58999ed6p-16, 0x1.996ed8f4b6de1p-17, 0x1.46ab3fc40395ap-17
+};
+GS_TABLE(gs_log_c8) = {
+    -0x1.9102c77e4abfdp-12, -0x1.f4cce86bd76bbp-13, -0x1.4102f34a348c5p-13, -0x1.a54afa391fd15p-14,
+    -0x1.1a5798422039cp-14, -0x1.81ba8db34a03fp-15, -0x1.0c18503617a51p-15, -0x1.7a9df763b1a6cp-16,
+    -0x1.0f421c3962c56p-16, -0x1.89e7e0cc95b8dp-17, -0x1.218c8b0cd485cp-17, -0x1.ae8fcced7148fp-18,
+    -0x1.4388641593e82p-18, -0x1.eb092e536f971p-19, -0x1.781336d5b0601p-19, -0x1.2284cf51f2bcfp-19
+};
+GS_TABLE(gs_log_c9) = {
+    0x1.59aab9172a9f5p-13, 0x1.9703cacccb0dcp-14, 0x1.ed956ac8d431bp-15, 0x1.3346e4a4cbd91p-15,
+    0x1.87c5193b8b17cp-16, 0x1.fe54a5b22beedp-17, 0x1.52eebfb856ee2p-17, 0x1.ca49c992d4732p-18,
+    0x1.3aefa8b583fd6p-18, 0x1.b765aa185784cp-19, 0x1.36ccbd11dbaf7p-19, 0x1.bd5afa47a5747p-20,
+    0x1.42e818b334bf9p-20, 0x1.d978d69b749a0p-21, 0x1.5ebbd14e5010ep-21, 0x1.065749099616dp-21
+};
+
+static inline gs_v gs_log_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 16384, 48);
+    const gs_v d = gs_sub(x, gs_pick(gs_log_centre, i));
+    const gs_v q9 = gs_pick(gs_log_c9, i);
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_log_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_log_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_log_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_log_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_log_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_log_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_log_c2, i));
+    const gs_v c1 = gs_pick(gs_log_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_log_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_log_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_log_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_log_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 16384, 48);
+    const gs_v d = gs_sub(x, gs_pick(gs_log_centre, i));
+    const gs_v q9 = gs_pick(gs_log_c9, i);
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_log_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_log_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_log_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_log_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_log_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_log_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_log_c2, i));
+    const gs_v c1 = gs_pick(gs_log_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_log_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_log_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_log_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* w with w + log(w) = y, on [3.0, 768.0): degree 15 on each of 16 pieces. */
+GS_TABLE(gs_omega_centre) = {
+    0x1.c000000000000p+1, 0x1.4000000000000p+2, 0x1.c000000000000p+2, 0x1.4000000000000p+3,
+    0x1.c000000000000p+3, 0x1.4000000000000p+4, 0x1.c000000000000p+4, 0x1.4000000000000p+5,
+    0x1.c000000000000p+5, 0x1.4000000000000p+6, 0x1.c000000000000p+6, 0x1.4000000000000p+7,
+    0x1.c000000000000p+7, 0x1.4000000000000p+8, 0x1.c000000000000p+8, 0x1.4000000000000p+9
+};
+GS_TABLE(gs_omega_c0) = {
+    0x1.47ade8b1e67f8p+1, 0x1.d8c2afbb37034p+1, 0x1.54f07d4216612p+2, 0x1.fb7b9e6c16b54p+2,
+    0x1.71b296ef140a8p+3, 0x1.12855ebb49e8dp+4, 0x1.8ca21b3521b10p+4, 0x1.233e0698374cdp+5,
+    0x1.a061f83e1ccbdp+5, 0x1.2eb1bc9a87fa4p+6, 0x1.ad4bed04a3d82p+6, 0x1.35e9e8ac93a20p+7,
+    0x1.b539b398abcadp+7, 0x1.3a3ff3a9b7268p+8, 0x1.b9e8ad6ccffc2p+8, 0x1.3cc63a9865e5ep+9
+};
+GS_TABLE(gs_omega_c0_lo) = {
+    0x1.5c04187d08683p-54, 0x1.a1c08cabd483ep-53, 0x1.6509de1976cf1p-54, -0x1.fad6f29f3cc62p-58,
+    0x1.4652cd650c78fp-51, 0x1.6a9a8034fe585p-50, 0x1.0a49f558ff6ddp-51, -0x1.9627941498b00p-50,
+    0x1.b3ebaba34bcb9p-49, -0x1.15eeb26636781p-48, -0x1.a63e29fb08613p-48, -0x1.b531e7ed81efcp-56,
+    0x1.b393d15e1be59p-48, -0x1.a066879c6e6b5p-48, -0x1.9f79aa24bbd91p-47, -0x1.7e31361b9058bp-45
+};
+GS_TABLE(gs_omega_c1) = {
+    0x1.702df7eef8fb9p-1, 0x1.92e95ebbed915p-1, 0x1.af1449de3eff9p-1, 0x1.c6a954caa1621p-1,
+    0x1.d7368dcca0cfbp-1, 0x1.e3cd68cc965b3p-1, 0x1.ec25a2fa6af9dp-1, 0x1.f24fe575e43ffp-1,
+    0x1.f6592c6b8be60p-1, 0x1.f95284e83053cp-1, 0x1.fb46008353f16p-1, 0x1.fcb78ffae8b76p-1,
+    0x1.fdab2ae0054acp-1, 0x1.fe603a6781cf0p-1, 0x1.fed810c7f9c16p-1, 0x1.ff3170ca3f145p-1
+};
+GS_TABLE(gs_omega_c1_lo) = {
+    -0x1.f20f92f5b929ep-56, -0x1.d7e5e73dadec6p-57, 0x1.0bec9a93e21d3p-55, -0x1.86b59f213f8e9p-55,
+    -0x1.bce510c832283p-58, -0x1.b572a1d14087cp-56, -0x1.3037b55201216p-56, -0x1.1a6007bd01ec3p-55,
+    0x1.a13c216d16958p-55, 0x1.5309bb66f8dc8p-55, -0x1.003eac9f0ee7ep-55, -0x1.9ae7efed01c50p-55,
+    0x1.fbfc39e9e4af9p-55, -0x1.2840486a873a0p-58, -0x1.77b6d4da99042p-58, 0x1.6823b0013e3fbp-55
+};
+GS_TABLE(gs_omega_c2) = {
+    0x1.d0d0dc4fe6eedp-6, 0x1.24a6214ada5ddp-6, 0x1.5893d8f6d6a36p-7, 0x1.6cf0aae7e3cd5p-8,
+    0x1.7ec31021651d8p-9, 0x1.77a8839811370p-10, 0x1.7adba1c6fca4fp-11, 0x1.6cb3209a2a4ebp-12,
+    0x1.6d982c132d218p-13, 0x1.601396f33dfa3p-14, 0x1.6225347a79c08p-15, 0x1.56adc8ebf7bd0p-16,
+    0x1.5a46c461dd8ddp-17, 0x1.508ef21159b76p-18, 0x1.5553774d2a5c4p-19, 0x1.4ccf1a93b5c41p-20
+};
+GS_TABLE(gs_omega_c3) = {
+    -0x1.92f23a35997fcp-9, -0x1.c488defe68aaap-10, -0x1.bb305b7ce25e0p-11, -0x1.6ab5968a1ce3ap-12,
+    -0x1.1e6103445b148p-13, -0x1.94e676eb5c135p-15, -0x1.272a8c3eb2b3ep-16, -0x1.8f50dce237618p-18,
+    -0x1.1dbc25a57306dp-19, -0x1.802ce864dc2bep-21, -0x1.131e39b263bfap-22, -0x1.7364ba2821f31p-24,
+    -0x1.0b4325eb3864dp-25, -0x1.6aabcb44d884ep-27, -0x1.0628072e388ebp-28, -0x1.65331a470064fp-30
+};
+GS_TABLE(gs_omega_c4) = {
+    0x1.323c6de8c783dp-12, 0x1.56e2cf7b7b686p-13, 0x1.270e3d410f295p-14, 0x1.81855fd3c0d2ap-16,
+    0x1.d292be6a7bd5ep-18, 0x1.e0b423f409694p-20, 0x1.fe18752a5255cp-22, 0x1.e73548e2b6cfbp-24,
+    0x1.f32c491229517p-26, 0x1.d57d258ffc9a1p-28, 0x1.df5f27925a364p-30, 0x1.c3d8b3dcf6eb6p-32,
+    0x1.cf69cc23337d1p-34, 0x1.b73159d3fa515p-36, 0x1.c4b1cceb9e092p-38, 0x1.af12966b41906p-40
+};
+GS_TABLE(gs_omega_c5) = {
+    -0x1.2f6f8685c976ap-16, -0x1.d1a0d64ed58a6p-17, -0x1.80b280ba226e1p-18, -0x1.a15d44dd847a2p-20,
+    -0x1.8a448ffacc3e6p-22, -0x1.2b2d96d51b7f6p-24, -0x1.d0dda6c30ac8bp-27, -0x1.3ab22709bff33p-29,
+    -0x1.cebd7de6511e7p-32, -0x1.30f3bbf5c82b3p-34, -0x1.bc69a5c62f77ap-37, -0x1.24b4fd3ee2dbcp-39,
+    -0x1.ac0cef9746308p-42, -0x1.1b6e636b200ccp-44, -0x1.a0add2b0db7c8p-47, -0x1.1557b038dbe09p-49
+};
+GS_TABLE(gs_omega_c6) = {
+    -0x1.c75d100cc3f89p-21, 0x1.e012eb2006972p-21, 0x1.d6c1e261f2315p-22, 0x1.c121acab45287p-24,
+    0x1.52322af174c88p-26, 0x1.7e19eef1617e4p-29, 0x1.b51368847080fp-32, 0x1.a4dd809f29887p-35,
+    0x1.bcfb40b04032ap-38, 0x1.9b83477b4b398p-41, 0x1.ac56d485824cdp-44, 0x1.8a829c04f219ep-47,
+    0x1.9b7a147d80ca3p-50, 0x1.7cd1b71304da2p-53, 0x1.8f53a16991f06p-56, 0x1.739fa54fede77p-59
+};
+GS_TABLE(gs_omega_c7) = {
+    0x1.1e7c8d4c43089p-21, -0x1.4f7c5c293b898p-27, -0x1.fb17029823186p-26, -0x1.d7dfb1e70ba5cp-28,
+    -0x1.22df5b3ef5971p-30, -0x1.eeff13b9b0406p-34, -0x1.a3156409a4f23p-37, -0x1.1fea301c68eeep-40,
+    -0x1.b68ee50653c81p-44, -0x1.1ce90552eff09p-47, -0x1.a7f2af3112804p-51, -0x1.1126bfb4b48f4p-54,
+    -0x1.9687306f3f574p-58, -0x1.0700a7b04c4a6p-61, -0x1.897b1a24f35f9p-65, -0x1.0005f055b2080p-68
+};
+GS_TABLE(gs_omega_c8) = {
+    -0x1.d7fa1702f3e18p-24, -0x1.56d6851794b41p-27, 0x1.910dc140d850cp-30, 0x1.dab473c1a1c0cp-32,
+    0x1.f1616290a77a0p-35, 0x1.42f33cc2d8431p-38, 0x1.96fb331753d44p-42, 0x1.903222671dfe8p-46,
+    0x1.b7d6bf8198277p-50, 0x1.91e548589d3cap-54, 0x1.abbbea516ede6p-58, 0x1.81c171cefff3dp-62,
+    0x1.99babdccea293p-66, 0x1.72aa643e3594ap-70, 0x1.8bab04ff07085p-74, 0x1.6807d67b834f3p-78
+};
+GS_TABLE(gs_omega_c9) = {
+    0x1.0645f9690a889p-26, 0x1.3a373f430e43fp-29, 0x1.8f04db571ef3bp-39, -0x1.bbd69c40a841dp-36,
+    -0x1.a39c0fd3dfbebp-39, -0x1.a67451f78c315p-43, -0x1.8e85bbaaeebf9p-47, -0x1.194c6db77066dp-51,
+    -0x1.bed8af963aed5p-56, -0x1.1f6c7beb052c3p-60, -0x1.b5d9a80c8f263p-65, -0x1.147a8ae7b2afap-69,
+    -0x1.a342f15c3921cp-74, -0x1.093d4a663875cp-78, -0x1.9410f6d7d3829p-83, -0x1.011ce197826abp-87
+};
+GS_TABLE(gs_omega_c10) = {
+    -0x1.63e2b33004d7bp-30, -0x1.82e775dbafdbfp-32, -0x1.f2a3d0d9bfc89p-37, 0x1.6a221ccaae0afp-40,
+    0x1.5a8e3277a6a4bp-43, 0x1.1408900f4ed32p-47, 0x1.884bfe1a7d0c0p-52, 0x1.8ed2a60e16717p-57,
+    0x1.ca72b7836f22ep-62, 0x1.9fa7d0770e720p-67, 0x1.c54e2c33ec6c6p-72, 0x1.91112ae6995e9p-77,
+    0x1.b22927f92dea3p-82, 0x1.804da1420a409p-87, 0x1.a1b4ef71469bdp-92, 0x1.73d9c351dec47p-97
+};
+GS_TABLE(gs_omega_c11) = {
+    -0x1.3e3c707c1ba28p-35, 0x1.78738ea2d4f6ep-35, 0x1.6d9d32f7b1479p-39, -0x1.a2ee93c022563p-45,
+    -0x1.155bacab90b4bp-47, -0x1.6736a34af4a8ap-52, -0x1.8351a0b2556f2p-57, -0x1.1c667280b3f4ap-62,
+    -0x1.d9ed70d4102c5p-68, -0x1.2f09e07d1cae5p-73, -0x1.d989adec5861ep-79, -0x1.258eefc6da52ap-84,
+    -0x1.c5e5b8aaa3330p-90, -0x1.190e1e44fad17p-95, -0x1.b40df6273a215p-101, -0x1.0f7ff0ddfe780p-106
+};
+GS_TABLE(gs_omega_c12) = {
+    0x1.6dceefb300677p-35, -0x1.1a6cdda9f3c6ap-38, -0x1.8511b3cb17243p-42, -0x1.03c08acfb5961p-51,
+    0x1.a794364159502p-52, 0x1.ce4cba0a8421cp-57, 0x1.7e471ec153ee3p-62, 0x1.9443e05839b0bp-68,
+    0x1.ebdaa9de7eac7p-74, 0x1.b8f0ac93dd48dp-80, 0x1.f1377784cdbeap-86, 0x1.ad1103b17d6dep-92,
+    0x1.dd354f99a9d86p-98, 0x1.9a95d7974af93p-104, 0x1.c9e27f7169164p-110, 0x1.8c0d370dd9873p-116
+};
+GS_TABLE(gs_omega_c13) = {
+    -0x1.60700df56785fp-37, 0x1.d324945a4248fp-43, 0x1.5e904ce6063fap-45, 0x1.88b7fd92e45e7p-52,
+    -0x1.2bfc1b105086ep-56, -0x1.27ec6b9068a8fp-61, -0x1.79d91c85f80d2p-67, -0x1.228890658d6e3p-73,
+    -0x1.00fa4f4453d9fp-79, -0x1.457599db868b3p-86, -0x1.07334163a5fc7p-92, -0x1.3e6f9c162b053p-99,
+    -0x1.fa200f434b7acp-106, -0x1.30a9c9803c643p-112, -0x1.e521ee03edd22p-119, -0x1.257b1ee7e50a6p-125
+};
+GS_TABLE(gs_omega_c14) = {
+    0x1.bba16daa000c2p-40, 0x1.ea85bb9049cedp-46, -0x1.19e1f0271e7d5p-48, -0x1.05fce8d2aff60p-54,
+    0x1.6d3fb76bbdf32p-61, 0x1.9c2772b9c7132p-66, 0x1.8ce166dc4dd6cp-72, 0x1.e148abb0d5f59p-79,
+    0x1.21a9ab02f0cf2p-85, 0x1.186526f42bebbp-92, 0x1.2db62c32cbda9p-99, 0x1.14ba96c9b3814p-106,
+    0x1.22e143c48f396p-113, 0x1.08d7859e08d7cp-120, 0x1.168fc7cd8247ap-127, 0x1.fd73701223980p-135
+};
+GS_TABLE(gs_omega_c15) = {
+    -0x1.57054114d1111p-43, -0x1.50c99ae23c531p-47, 0x1.76dabf01a83f0p-52, 0x1.b3bd51d9c600cp-58,
+    -0x1.1abd72d0db2fap-66, -0x1.fcae12dbdb4c7p-71, -0x1.86899749d26f6p-77, -0x1.5b4cbed458318p-84,
+    -0x1.30e1f2ff6c0acp-91, -0x1.a1e28a2ae850bp-99, -0x1.429d2fbdfb4f4p-106, -0x1.9f6155fed718fp-114,
+    -0x1.37e476748676fp-121, -0x1.8db9f7186707dp-129, -0x1.2a80397b29097p-136, -0x1.7e20c400f7e33p-144
+};
+
+static inline gs_v gs_omega_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 2049, 51);
+    const gs_v d = gs_sub(x, gs_pick(gs_omega_centre, i));
+    const gs_v q15 = gs_pick(gs_omega_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_omega_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_omega_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_omega_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_omega_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_omega_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_omega_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_omega_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_omega_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_omega_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_omega_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_omega_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_omega_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_omega_c2, i));
+    const gs_v c1 = gs_pick(gs_omega_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_omega_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_omega_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_omega_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_omega_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 2049, 51);
+    const gs_v d = gs_sub(x, gs_pick(gs_omega_centre, i));
+    const gs_v q15 = gs_pick(gs_omega_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_omega_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_omega_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_omega_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_omega_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_omega_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_omega_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_omega_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_omega_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_omega_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_omega_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_omega_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_omega_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_omega_c2, i));
+    const gs_v c1 = gs_pick(gs_omega_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_omega_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_omega_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_omega_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* omega, continued, on [512.0, 131072.0): degree 14 on each of 16 pieces. */
+GS_TABLE(gs_omega_tail_centre) = {
+    0x1.4000000000000p+9, 0x1.c000000000000p+9, 0x1.4000000000000p+10, 0x1.c000000000000p+10,
+    0x1.4000000000000p+11, 0x1.c000000000000p+11, 0x1.4000000000000p+12, 0x1.c000000000000p+12,
+    0x1.4000000000000p+13, 0x1.c000000000000p+13, 0x1.4000000000000p+14, 0x1.c000000000000p+14,
+    0x1.4000000000000p+15, 0x1.c000000000000p+15, 0x1.4000000000000p+16, 0x1.c000000000000p+16
+};
+GS_TABLE(gs_omega_tail_c0) = {
+    0x1.3cc63a9865e5ep+9, 0x1.bc9ad65dd30c2p+9, 0x1.3e36768bbe860p+10, 0x1.be20d69dad59dp+10,
+    0x1.3f04f845569efp+11, 0x1.befa2d78c1e33p+11, 0x1.3f775f4559139p+12, 0x1.bf71fb5198d65p+12,
+    0x1.3fb6227fba3fap+13, 0x1.bfb370ec85686p+13, 0x1.3fd84b0a1b4fbp+14, 0x1.bfd6f25cb0509p+14,
+    0x1.3feac2834ef28p+15, 0x1.bfea163446dd3p+15, 0x1.3ff4afc79e169p+16, 0x1.bff459a22ddb2p+16
+};
+GS_TABLE(gs_omega_tail_c0_lo) = {
+    -0x1.7e0d3b56d662bp-45, 0x1.bdee9eaf1ef71p-45, -0x1.ac1786faa2b7bp-44, -0x1.31800a33aa43dp-44,
+    -0x1.5847d84dc9410p-45, 0x1.5ad6fbdf7fb9cp-46, 0x1.dcbe96487b215p-44, 0x1.4ab60ab86edafp-43,
+    -0x1.e2a6c1124d913p-41, 0x1.82ff990b94220p-41, -0x1.3dd3c0326c8f6p-41, -0x1.0dc0189b654b6p-41,
+    -0x1.b2704b24c76dap-40, -0x1.086acbd2d09f8p-41, -0x1.0a59f1ed284eap-38, 0x1.a41d0a44ee57cp-38
+};
+GS_TABLE(gs_omega_tail_c1) = {
+    0x1.ff3170ca3f145p-1, 0x1.ff6cc3454c559p-1, 0x1.ff991b0f6f8f9p-1, 0x1.ffb697669c39bp-1,
+    0x1.ffcca9a9459c6p-1, 0x1.ffdb5aea65150p-1, 0x1.ffe65cbc4c6cfp-1, 0x1.ffedb1b537b6bp-1,
+    0x1.fff33090327e8p-1, 0x1.fff6da075097ap-1, 0x1.fff998e2b3794p-1, 0x1.fffb6d56089c7p-1,
+    0x1.fffccc9b88974p-1, 0x1.fffdb6c16a366p-1, 0x1.fffe6659327e2p-1, 0x1.fffedb66c2352p-1
+};
+GS_TABLE(gs_omega_tail_c1_lo) = {
+    0x1.6cd36760b7ef2p-56, 0x1.2779482105c0ep-55, 0x1.cc219cd9b7d55p-57, -0x1.8f85c1158a333p-58,
+    0x1.e80f733018c53p-57, 0x1.d15fb74f36ca3p-61, -0x1.ff7ad2c2493d1p-60, -0x1.815c34df3321dp-55,
+    -0x1.967fdd9da17efp-55, -0x1.cff1d373cde84p-55, -0x1.86335d8287752p-55, 0x1.7da50764ee0bep-55,
+    0x1.78c0f534970a2p-55, 0x1.1e9ba1cb87013p-55, -0x1.b28eb51561d3fp-55, 0x1.2f902f926f9dcp-56
+};
+GS_TABLE(gs_omega_tail_c2) = {
+    0x1.4ccf1a93b5a87p-20, 0x1.5259ca5cd9e50p-21, 0x1.4a97662b1968dp-22, 0x1.509cd9701f94bp-23,
+    0x1.494f6d5361d18p-24, 0x1.4f9e1b0ea4f42p-25, 0x1.4895374a8b7a0p-26, 0x1.4f0e7aa616f00p-27,
+    0x1.482cec4ea9f70p-28, 0x1.4ebe7d5e938b1p-29, 0x1.47f327773ae24p-30, 0x1.4e92639fbad8bp-31,
+    0x1.47d372c65b8b0p-32, 0x1.4e7a47a2c4fb6p-33, 0x1.47c22e6de7048p-34, 0x1.4e6d3192e981dp-35
+};
+GS_TABLE(gs_omega_tail_c3) = {
+    -0x1.65331a46cc74dp-30, -0x1.0307d783c902ap-31, -0x1.61ea7069aecc5p-33, -0x1.012eada81a1eap-34,
+    -0x1.5fffc1d6f99c5p-36, -0x1.001d58ed91f44p-37, -0x1.5ee6fb582b3ffp-39, -0x1.ff0454b3fb547p-41,
+    -0x1.5e48bee118a1ap-42, -0x1.fe5681cddc9a9p-44, -0x1.5df0a6793b4c3p-45, -0x1.fdf639fe2ac9dp-47,
+    -0x1.5dc018451aa70p-48, -0x1.fdc162a369670p-50, -0x1.5da58e7fdac52p-51, -0x1.fda49bd238c42p-53
+};
+GS_TABLE(gs_omega_tail_c4) = {
+    0x1.af12966bb0373p-40, 0x1.be052ec8f6ef7p-42, 0x1.aa227f4e77df3p-44, 0x1.ba0809ce22f82p-46,
+    0x1.a73a24a01d59bp-48, 0x1.b7b5b1f1ee1e6p-50, 0x1.a58d6e2466d87p-52, 0x1.b662505ffe01ap-54,
+    0x1.a49a95f536678p-56, 0x1.b5a35d359dfd0p-58, 0x1.a412d382c7852p-60, 0x1.b53932decb9b3p-62,
+    0x1.a3c7be3a77ea3p-64, 0x1.b4febfc380862p-66, 0x1.a39e967def9b3p-68, 0x1.b4ded55f5cb9dp-70
+};
+GS_TABLE(gs_omega_tail_c5) = {
+    -0x1.1557b07f14f26p-49, -0x1.997b428d5fb20p-52, -0x1.11982c0fd1f3ap-54, -0x1.95234ec262475p-57,
+    -0x1.0f5eb01f82ceap-59, -0x1.9297c918a5462p-62, -0x1.0e14d1eaa7b5fp-64, -0x1.9121e4f08e1f1p-67,
+    -0x1.0d5924c735481p-69, -0x1.904eb2c8e1c9ap-72, -0x1.0cefdabc3c6b0p-74, -0x1.8fd8e65b097bcp-77,
+    -0x1.0cb5742d41208p-79, -0x1.8f97df6eceaf9p-82, -0x1.0c955d6508356p-84, -0x1.8f744938e3cdbp-87
+};
+GS_TABLE(gs_omega_tail_c6) = {
+    0x1.739fa4fcd2db4p-59, 0x1.8782f5edf985fp-62, 0x1.6de568dc1ec29p-65, 0x1.82c087c734606p-68,
+    0x1.6a78d40b32e5dp-71, 0x1.7ff2479679884p-74, 0x1.687a78226d962p-77, 0x1.7e54412c01e8bp-80,
+    0x1.6756f832e2f9bp-83, 0x1.7d69930cca7d2p-86, 0x1.66b2ecd8b9e25p-89, 0x1.7ce64f042196ap-92,
+    0x1.6657b4099e8cdp-95, 0x1.7c9dadc9fd06ep-98, 0x1.662579493e7f2p-101, 0x1.7c75da90545d9p-104
+};
+GS_TABLE(gs_omega_tail_c7) = {
+    -0x1.0005c67c05c88p-68, -0x1.80f3e5ab4c19bp-72, -0x1.f7404361a38a4p-76, -0x1.7bb6abb3ea7a5p-79,
+    -0x1.f1f51b8cd4bc2p-83, -0x1.789b929910cf4p-86, -0x1.eedc64c2acc11p-90, -0x1.76cf62977f701p-93,
+    -0x1.ed16051f5a70dp-97, -0x1.75c9b83adc0fdp-100, -0x1.ec159a219e9a8p-104, -0x1.7536fd9f1e280p-107,
+    -0x1.eb86b034f52ccp-111, -0x1.74e5a2eee0fa7p-114, -0x1.eb37d8cac0d3ep-118, -0x1.74b8f32d881dcp-121
+};
+GS_TABLE(gs_omega_tail_c8) = {
+    0x1.6807f43250b03p-78, 0x1.8253a57100fcap-82, 0x1.6141492371e7ap-86, 0x1.7c8a1211d220dp-90,
+    0x1.5d264844a3e6dp-94, 0x1.79171b7352f84p-98, 0x1.5abcc85e1f75fp-102, 0x1.77162411b4737p-106,
+    0x1.5959b009950b3p-110, 0x1.75f1a04361028p-114, 0x1.5890c8da540aap-118, 0x1.754d38b70bc31p-122,
+    0x1.5820948a341b9p-126, 0x1.74f1e5343b165p-130, 0x1.57e293004af03p-134, 0x1.74bfa707df134p-138
+};
+GS_TABLE(gs_omega_tail_c9) = {
+    -0x1.0129ae7b20d28p-87, -0x1.89d0304951ccap-92, -0x1.f7d9bb26d08e2p-97, -0x1.8366fc2446574p-101,
+    -0x1.f176bdc216fc3p-106, -0x1.7f8ff2162c9dap-110, -0x1.edb224c6de670p-115, -0x1.7d52d39b74f9ep-119,
+    -0x1.eb85c429f09f5p-124, -0x1.7c0b2388ae594p-128, -0x1.ea4a3d86323c3p-133, -0x1.7b529375f615cp-137,
+    -0x1.e999aef8f672fp-142, -0x1.7aebdfe74d831p-146, -0x1.e937f634cdec3p-151, -0x1.7ab34ad8d3125p-155
+};
+GS_TABLE(gs_omega_tail_c10) = {
+    0x1.73d44f73724ebp-97, 0x1.9666f6297c94fp-102, 0x1.6bb741647b587p-107, 0x1.8f48e793a1c60p-112,
+    0x1.66bd2555a4dc9p-117, 0x1.8b003f1a4af0bp-122, 0x1.63ca7f0be3169p-127, 0x1.887ec27e24627p-132,
+    0x1.6215fa7f5af70p-137, 0x1.870f114d9a3f6p-142, 0x1.611de1d93b51fp-147, 0x1.863f90d5879a5p-152,
+    0x1.6092cfc254940p-157, 0x1.85cbea2d191e7p-162, 0x1.6045b9dcfe6e0p-167, 0x1.858c1cfd70cc0p-172
+};
+GS_TABLE(gs_omega_tail_c11) = {
+    -0x1.0d6746bd31948p-106, -0x1.a6cb09af74c15p-112, -0x1.072a7544d93edp-117, -0x1.9ee5151a1ba54p-123,
+    -0x1.0351543206d9fp-128, -0x1.9a1e75cb90f2fp-134, -0x1.0107b99d666d4p-139, -0x1.97510c5968beep-145,
+    -0x1.ff6839d1b0cc9p-151, -0x1.95b4e124715c9p-156, -0x1.fde56b8bbcc8ap-162, -0x1.94cbda506c254p-167,
+    -0x1.fd0c404cbf039p-173, -0x1.9449c86c74d10p-178, -0x1.fc93b82d56118p-184, -0x1.9401f04e04965p-189
+};
+GS_TABLE(gs_omega_tail_c12) = {
+    0x1.8c8c35c296f48p-116, 0x1.bc45bff236a3bp-122, 0x1.82d9f1897d2e1p-128, 0x1.b3794e6cb0cdcp-134,
+    0x1.7cd598232c889p-140, 0x1.ae211d9aa2b7cp-146, 0x1.793e9d8324c9ap-152, 0x1.aafbdb33461c0p-158,
+    0x1.77284d25b6a36p-164, 0x1.a92c2fdcdd925p-170, 0x1.75f76ce9cabdfp-176, 0x1.a825967b036adp-182,
+    0x1.754bfd33a943bp-188, 0x1.a792ce1d86b25p-194, 0x1.74ecb7e13c24ep-200, 0x1.a741a2a2d65f9p-206
+};
+GS_TABLE(gs_omega_tail_c13) = {
+    -0x1.523c08d22c1cdp-125, -0x1.f7b49b31f8374p-132, -0x1.496edba8cbf2fp-138, -0x1.ed1daf2e163abp-145,
+    -0x1.43edf2589d8cap-151, -0x1.e6a690403a293p-158, -0x1.40a17956a62bfp-164, -0x1.e2d52a0aa5da9p-171,
+    -0x1.3eb4e4b1bb348p-177, -0x1.e0a100e8d1dc4p-184, -0x1.3d9b2506439c4p-190, -0x1.df60e2d563ae1p-197,
+    -0x1.3cfc681666eabp-203, -0x1.deadae053839ep-210, -0x1.3ca40d9cf0565p-216, -0x1.de4a747ea36afp-223
+};
+GS_TABLE(gs_omega_tail_c14) = {
+    0x1.f8e9956833fdep-135, 0x1.0c3780cad8ba2p-141, 0x1.eb30fac4b5f32p-149, 0x1.064d8a9bee461p-155,
+    0x1.e2900c6f7e74fp-163, 0x1.02ad33020e557p-169, 0x1.dd5f921aadb41p-177, 0x1.0087738742130p-183,
+    0x1.da56dd9f1acfcp-191, 0x1.fe92fc6fbaf30p-198, 0x1.d899d39fe1bdcp-205, 0x1.fd29972b64b63p-212,
+    0x1.d79ebeab23d36p-219, 0x1.fc5f05db9f12ap-226, 0x1.d712d606df3d9p-233, 0x1.fbeebf656d740p-240
+};
+
+static inline gs_v gs_omega_tail_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 2064, 51);
+    const gs_v d = gs_sub(x, gs_pick(gs_omega_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_omega_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_omega_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_omega_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_omega_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_omega_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_omega_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_omega_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_omega_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_omega_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_omega_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_omega_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_omega_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_omega_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_omega_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_omega_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_omega_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_omega_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_omega_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 2064, 51);
+    const gs_v d = gs_sub(x, gs_pick(gs_omega_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_omega_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_omega_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_omega_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_omega_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_omega_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_omega_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_omega_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_omega_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_omega_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_omega_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_omega_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_omega_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_omega_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_omega_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_omega_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_omega_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_omega_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x in [0.0, 15.0) */
+static inline gs_v gs_best_sine_range0(gs_v x, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_best_sine_near(x, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [15.0, 5.896816288783659e+166) */
+static inline gs_v gs_best_sine_range1(gs_v x, gs_v *lo)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    gs_v half_part_lo;
+    const gs_v half_part = gs_log_near(half_m, &half_part_lo);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_rest = gs_sum_rest(half_whole, half_part, half_s);
+    const gs_v half_off = gs_fma(half_k, gs_v_of(0x1.ef35793c76730p-45), half_part_lo);
+    const gs_v half_e = gs_add(half_rest, half_off);
+    const gs_v half = gs_add(half_s, half_e);
+    const gs_v half_lo = gs_rest(half_s, half_e, half);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v whole_lo = gs_mul(half_lo, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v less_rest = gs_sum_rest(whole, gs_v_of(-0x1.0000000000000p+0), less_s);
+    const gs_v less_off = gs_add(less_rest, whole_lo);
+    const gs_v less = gs_add(less_s, less_off);
+    const gs_v less_lo = gs_rest(less_s, less_off, less);
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_fma(c, z, less_lo);
+    const gs_v y = gs_add(less, off);
+    const gs_v y_lo = gs_rest(less, off, y);
+    gs_v w_lo;
+    const gs_v w = gs_omega_near_pair(y, y_lo, &w_lo);
+    const gs_v s_s = gs_add(w, gs_v_of(0x1.0000000000000p+0));
+    const gs_v s_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+0), s_s);
+    const gs_v s_off = gs_add(s_rest, w_lo);
+    const gs_v s = gs_add(s_s, s_off);
+    const gs_v s_lo = gs_rest(s_s, s_off, s);
+    const gs_v g_q = gs_div(s, a);
+    const gs_v g_e0 = gs_product_rest(g_q, a, s);
+    const gs_v g_e1 = gs_sub(s_lo, g_e0);
+    const gs_v g_off = gs_div(g_e1, a);
+    const gs_v g = gs_add(g_q, g_off);
+    const gs_v g_lo = gs_rest(g_q, g_off, g);
+    const gs_v minus = gs_mul(g, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d = gs_add(a, minus);
+    const gs_v d_rest = gs_rest(a, minus, d);
+    const gs_v d_lo = gs_sub(d_rest, g_lo);
+    const gs_v sine_q = gs_div(w, d);
+    const gs_v sine_e0 = gs_product_rest(sine_q, d, w);
+    const gs_v sine_e1 = gs_sub(w_lo, sine_e0);
+    const gs_v sine_e2 = gs_fnma(sine_q, d_lo, sine_e1);
+    const gs_v sine_off = gs_div(sine_e2, d);
+    const gs_v sine = gs_add(sine_q, sine_off);
+    const gs_v sine_lo = gs_rest(sine_q, sine_off, sine);
+    const gs_v r = sine;
+    *lo = sine_lo;
+    return r;
+}
+
+/* x in [5.896816288783659e+166, inf] */
+static inline gs_v gs_best_sine_range2(gs_v x, gs_v *lo)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    gs_v half_part_lo;
+    const gs_v half_part = gs_log_near(half_m, &half_part_lo);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_rest = gs_sum_rest(half_whole, half_part, half_s);
+    const gs_v half_off = gs_fma(half_k, gs_v_of(0x1.ef35793c76730p-45), half_part_lo);
+    const gs_v half_e = gs_add(half_rest, half_off);
+    const gs_v half = gs_add(half_s, half_e);
+    const gs_v half_lo = gs_rest(half_s, half_e, half);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v whole_lo = gs_mul(half_lo, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v less_rest = gs_sum_rest(whole, gs_v_of(-0x1.0000000000000p+0), less_s);
+    const gs_v less_off = gs_add(less_rest, whole_lo);
+    const gs_v less = gs_add(less_s, less_off);
+    const gs_v less_lo = gs_rest(less_s, less_off, less);
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_fma(c, z, less_lo);
+    const gs_v y = gs_add(less, off);
+    const gs_v y_lo = gs_rest(less, off, y);
+    gs_v w_lo;
+    const gs_v w = gs_omega_tail_near_pair(y, y_lo, &w_lo);
+    const gs_v s_s = gs_add(w, gs_v_of(0x1.0000000000000p+0));
+    const gs_v s_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+0), s_s);
+    const gs_v s_off = gs_add(s_rest, w_lo);
+    const gs_v s = gs_add(s_s, s_off);
+    const gs_v s_lo = gs_rest(s_s, s_off, s);
+    const gs_v g_q = gs_div(s, a);
+    const gs_v g_e0 = gs_product_rest(g_q, a, s);
+    const gs_v g_e1 = gs_sub(s_lo, g_e0);
+    const gs_v g_off = gs_div(g_e1, a);
+    const gs_v g = gs_add(g_q, g_off);
+    const gs_v g_lo = gs_rest(g_q, g_off, g);
+    const gs_v minus = gs_mul(g, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d = gs_add(a, minus);
+    const gs_v d_rest = gs_rest(a, minus, d);
+    const gs_v d_lo = gs_sub(d_rest, g_lo);
+    const gs_v sine_q = gs_div(w, d);
+    const gs_v sine_e0 = gs_product_rest(sine_q, d, w);
+    const gs_v sine_e1 = gs_sub(w_lo, sine_e0);
+    const gs_v sine_e2 = gs_fnma(sine_q, d_lo, sine_e1);
+    const gs_v sine_off = gs_div(sine_e2, d);
+    const gs_v sine = gs_add(sine_q, sine_off);
+    const gs_v sine_lo = gs_rest(sine_q, sine_off, sine);
+    const gs_v r = sine;
+    *lo = sine_lo;
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_best_sine_range3(gs_v x, gs_v *lo)
+{
+    const gs_v r = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+static GS_RARE gs_v gs_best_sine_outside(gs_v x, gs_v r, gs_v *lo)
+{
+    const gs_v m = x;
+    gs_v tail, rest;
+    gs_mask here;
+    here = gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.0000000000000p+554));
+    tail = gs_best_sine_range1(gs_select(here, m, gs_v_of(0x1.e000000000000p+3)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(0x1.0000000000000p+554));
+    tail = gs_best_sine_range2(gs_select(here, m, gs_v_of(0x1.0000000000000p+554)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(INFINITY));
+    tail = gs_best_sine_range3(gs_select(here, m, gs_v_of(INFINITY)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    return gs_refuse_beyond(x, gs_v_of(0x0.0p+0), gs_v_of(INFINITY), r, lo);
+}
+
+/* a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2: the nearest double but for a little, and the rest. */
+static inline gs_v gs_best_sine_value(gs_v x, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_mask here = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    gs_v rest;
+    const gs_v r = gs_best_sine_range0(gs_select(here, m, gs_v_of(0x0.0p+0)), &rest);
+    *lo = rest;
+    return gs_all(here) ? r : gs_best_sine_outside(x, r, lo);
+}
+
+/* asin(a/(exp(s) - 1)), 1 + (s - 1) exp(s) = a^2, on [0.0, 15.0): degree 13 on each of 16 pieces. */
+GS_TABLE(gs_best_angle_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-2, 0x1.4000000000000p-1, 0x1.c000000000000p-1,
+    0x1.4000000000000p+0, 0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1,
+    0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.6000000000000p+2, 0x1.a000000000000p+2,
+    0x1.0000000000000p+3, 0x1.4000000000000p+3, 0x1.8000000000000p+3, 0x1.c000000000000p+3
+};
+GS_TABLE(gs_best_angle_c0) = {
+    0x1.921fb54442d18p-1, 0x1.6b755819dbbf5p-1, 0x1.5721fe102181ap-1, 0x1.45cdcaa0aa697p-1,
+    0x1.2ff269ed3cb25p-1, 0x1.18540779cb315p-1, 0x1.052316b1f740fp-1, 0x1.ea3a1495ac9e4p-2,
+    0x1.c2af2c7b96104p-2, 0x1.990b521dc0b5fp-2, 0x1.7808ccb19946fp-2, 0x1.5d089e797a106p-2,
+    0x1.3c6a58f6ba4bep-2, 0x1.1ae4c49b562a1p-2, 0x1.00eb119789a23p-2, 0x1.d8208a95aed3fp-3
+};
+GS_TABLE(gs_best_angle_c0_lo) = {
+    0x1.1a62633145c07p-55, 0x1.002be85eab608p-58, 0x1.8d5065efe5647p-55, -0x1.8bd40b1c81cc0p-55,
+    -0x1.e22d460629e3fp-55, -0x1.189faf15999b3p-55, -0x1.aaf5dbbf69036p-56, -0x1.d3ae1d238840ap-57,
+    0x1.a6848947b24cbp-56, -0x1.18b22824c8763p-56, -0x1.2b56279838d36p-57, 0x1.df409f4a56436p-57,
+    0x1.b9b514e3456b2p-56, -0x1.e777c9de15fe1p-56, -0x1.6d366472de7b0p-58, -0x1.8e639945e7a24p-57
+};
+GS_TABLE(gs_best_angle_c1) = {
+    -0x1.e2b7dddfefa66p-3, -0x1.6246d45f883a3p-3, -0x1.2af5bfd3504a4p-3, -0x1.0168e4580cc38p-3,
+    -0x1.a7076b31771cep-4, -0x1.52423b79addf0p-4, -0x1.171dc698c177fp-4, -0x1.d772b7d53325fp-5,
+    -0x1.79f3d47fafe70p-5, -0x1.2627de37e7d06p-5, -0x1.dac207a9931f2p-6, -0x1.897991a4be90bp-6,
+    -0x1.341ad20bcfdb4p-6, -0x1.d3a699b95dcc9p-7, -0x1.71ca57fceefe0p-7, -0x1.2d57e396e5373p-7
+};
+GS_TABLE(gs_best_angle_c1_lo) = {
+    -0x1.97a9617b5bee5p-60, -0x1.b7a883be06ec1p-60, -0x1.989ef727b71e9p-58, 0x1.e7ccdb3714b54p-61,
+    -0x1.205cbbf396ea9p-59, -0x1.7bb6698388c09p-58, -0x1.4e86bf69dce54p-60, -0x1.13e9f47555c34p-62,
+    0x1.e9aa0e8588a5ap-60, -0x1.96c5ffbf3a538p-59, 0x1.b24258d2b7c9dp-61, -0x1.d9d7e8cedfbedp-60,
+    -0x1.933bc0fd6d0a0p-60, -0x1.abf77c58f8c23p-64, 0x1.c365eff26c7d2p-61, -0x1.33990a3ccde8cp-61
+};
+GS_TABLE(gs_best_angle_c2) = {
+    0x1.c71c71c71c6d2p-4, 0x1.01ce2d648ff25p-4, 0x1.7bbc40f8329ccp-5, 0x1.22e3a7b835e86p-5,
+    0x1.9bac6401ee28bp-6, 0x1.16fc05db1d2acp-6, 0x1.90d20dc6466cbp-7, 0x1.2c64faa21ba40p-7,
+    0x1.9d36c6208e854p-8, 0x1.0f4a98fca81a7p-8, 0x1.7b935dfe2419ep-9, 0x1.161b4eb7518c1p-9,
+    0x1.73c7a1d32e1c5p-10, 0x1.d953f757b0eb9p-11, 0x1.42ead55fdc63dp-11, 0x1.cf5e23882da8dp-12
+};
+GS_TABLE(gs_best_angle_c3) = {
+    -0x1.0a639225489d7p-4, -0x1.c59d561368e04p-6, -0x1.1fdd076a950cbp-6, -0x1.845dcfad3f13dp-7,
+    -0x1.d39652c618007p-8, -0x1.0949d7716ba26p-8, -0x1.48bb8bd3043d4p-9, -0x1.b20a16bda2d02p-10,
+    -0x1.fbcf0629266a1p-11, -0x1.16d383423dba2p-11, -0x1.4ffe37a999f2bp-12, -0x1.b1046dbb48b11p-13,
+    -0x1.eb2a0c10eff62p-14, -0x1.04b0383bef8e6p-14, -0x1.317ef43f2abf0p-15, -0x1.8092ebd0b63a9p-16
+};
+GS_TABLE(gs_best_angle_c4) = {
+    0x1.61f9add134b7dp-5, 0x1.be997efd83bd4p-7, 0x1.e4ed70d68df10p-8, 0x1.1e5c1809434eap-8,
+    0x1.23362823fc525p-9, 0x1.129b0a5e9c650p-10, 0x1.23cf8331c4624p-11, 0x1.51d6c4c8f4b7ep-12,
+    0x1.4e5c22565d5bfp-13, 0x1.316a1f878c99fp-14, 0x1.3bab1a627ee6ap-15, 0x1.64a2925221ed4p-16,
+    0x1.55ee8f704f172p-17, 0x1.2d7d038f529d3p-18, 0x1.2e947e24fc85ep-19, 0x1.4d68ea8e8b3cbp-20
+};
+GS_TABLE(gs_best_angle_c5) = {
+    -0x1.fe583d0a26125p-6, -0x1.d96edc237b78bp-8, -0x1.b5fab2f228250p-9, -0x1.c339f15f6c22ep-10,
+    -0x1.81dec0b4bcb8bp-11, -0x1.2cf5974d30b4dp-12, -0x1.113c87923bc50p-13, -0x1.1487a861a7955p-14,
+    -0x1.cd56182f9115ep-16, -0x1.5d35c51a57bbep-17, -0x1.34b2ad5092230p-18, -0x1.310ad4be18059p-19,
+    -0x1.ed1c2c6c71923p-21, -0x1.68301345828e9p-22, -0x1.34f819d2e7ef4p-23, -0x1.2987cd6917c59p-24
+};
+GS_TABLE(gs_best_angle_c6) = {
+    0x1.8516bcc0af0c5p-6, 0x1.0846086aa41fap-8, 0x1.9f94c5ace22b9p-10, 0x1.74acec45c27fcp-11,
+    0x1.0b3daa3184890p-12, 0x1.57ba0ac6a0d1bp-14, 0x1.09ef7d3214ab1p-15, 0x1.d58cfa6a1c4d5p-17,
+    0x1.49431bccb5648p-18, 0x1.9bf8f1ef46169p-20, 0x1.36d3381113431p-21, 0x1.0c31e21ff6c18p-22,
+    0x1.6cc442f270924p-24, 0x1.b89497579a4f9p-26, 0x1.4288e571f35f5p-27, 0x1.0f1df9c92eaa6p-28
+};
+GS_TABLE(gs_best_angle_c7) = {
+    -0x1.34dc07225ba3cp-6, -0x1.3273fd448c4e1p-9, -0x1.98fa676a631dap-11, -0x1.3ecc782b80980p-12,
+    -0x1.7eb0485d75b3dp-14, -0x1.94fff07f57a99p-16, -0x1.0a8c8b4fb239cp-17, -0x1.99eb00a77ace2p-19,
+    -0x1.e25dff24e9d0cp-21, -0x1.f1cf3d3dca98ap-23, -0x1.400eab0412232p-24, -0x1.e1aa7d06d912ep-26,
+    -0x1.132b77a254f97p-27, -0x1.125f0238779f7p-29, -0x1.566f04e5b65a8p-31, -0x1.f60d22948d7dap-33
+};
+GS_TABLE(gs_best_angle_c8) = {
+    0x1.f941fc52f568cp-7, 0x1.6dc3793381e4dp-10, 0x1.9ddfedc75b439p-12, 0x1.182f4978f7edep-13,
+    0x1.192b8c755bfa8p-15, 0x1.e8f5f9ced9645p-18, 0x1.116759399cc5ep-19, 0x1.6dcfb21b60e30p-21,
+    0x1.68ad1d335616dp-23, 0x1.328c86b176ae2p-25, 0x1.4f7da2505b0dbp-27, 0x1.b7dd13d19c998p-29,
+    0x1.a5b2902b70d9ap-31, 0x1.5aaebe5691bf8p-33, 0x1.707bb28aa6406p-35, 0x1.d6c9b436228bap-37
+};
+GS_TABLE(gs_best_angle_c9) = {
+    -0x1.a5d00d2b91c36p-7, -0x1.be831769ae6f2p-11, -0x1.ac21804305b29p-13, -0x1.f723c117548e7p-15,
+    -0x1.a5bd97ce14b60p-17, -0x1.2cfb960e79e59p-19, -0x1.1db33dbe3e3d6p-21, -0x1.4c4e8c4480d36p-23,
+    -0x1.123a97e97e5a7p-25, -0x1.7f7397b9a661dp-28, -0x1.64d40e326e133p-30, -0x1.9741ddd7a9685p-32,
+    -0x1.4748fdb0099fep-34, -0x1.bb3f69afa1e62p-37, -0x1.90e844660a4b9p-39, -0x1.be1625a70921fp-41
+};
+GS_TABLE(gs_best_angle_c10) = {
+    0x1.6039ee7bad28cp-7, 0x1.1574ebc124075p-11, 0x1.c2baef4738249p-14, 0x1.cb9aa85892fffp-16,
+    0x1.41793184020f0p-18, 0x1.786e508a4b34ap-21, 0x1.2f1e440d75b82p-23, 0x1.32509f76ae7c3p-25,
+    0x1.a69e0ae963d9ep-28, 0x1.e5c804ca2ddc6p-31, 0x1.801ef0a6866f6p-33, 0x1.7d682d27a18aep-35,
+    0x1.009db2fc7d969p-37, 0x1.1e1a4827a8291p-40, 0x1.b82d60733bcaap-43, 0x1.aa59a481f4ac9p-45
+};
+GS_TABLE(gs_best_angle_c11) = {
+    -0x1.14988a492bfeep-7, -0x1.5e03bd7725aefp-12, -0x1.e180bd877ad5cp-15, -0x1.a9e0800edbe0bp-17,
+    -0x1.f1215ef7593bcp-20, -0x1.dd2edddb02f5dp-23, -0x1.45c4796d6fbd3p-25, -0x1.1dde780e52cc1p-27,
+    -0x1.499f99fbc36a4p-30, -0x1.3727c6a824048p-33, -0x1.a1d41a3f316aap-36, -0x1.68ba3271a2e5cp-38,
+    -0x1.964aff8175110p-41, -0x1.748b153a82d5cp-44, -0x1.e72a79e43e381p-47, -0x1.9a8cd02cea7c9p-49
+};
+GS_TABLE(gs_best_angle_c12) = {
+    0x1.5e1cfa751269fp-8, 0x1.c984b3534aab5p-13, 0x1.08ad11cadfd61p-15, 0x1.945ac7b11e685p-18,
+    0x1.92bfd8f9330f7p-21, 0x1.391879c8e3346p-24, 0x1.67e31acaba683p-27, 0x1.1100550319faap-29,
+    0x1.0d08833696cdfp-32, 0x1.9c0120f066b11p-36, 0x1.d26457c569ea9p-39, 0x1.5c7aebd79b6b0p-41,
+    0x1.501eb5ffba8fap-44, 0x1.f4a391ddda432p-48, 0x1.14324be72cf25p-50, 0x1.9324fa4bdcddap-53
+};
+GS_TABLE(gs_best_angle_c13) = {
+    -0x1.f44ef7036638ep-10, -0x1.274dff1f2efbdp-13, -0x1.213545541731bp-16, -0x1.7f1713ad38ec3p-19,
+    -0x1.3e59782134c59p-22, -0x1.95615e3f5b64cp-26, -0x1.8abc0a2479572p-29, -0x1.03d56db8b24bfp-31,
+    -0x1.abbf3f4bf7f1ep-35, -0x1.0ca3ec719e61cp-38, -0x1.01f324607b27cp-41, -0x1.4ede60d38cac9p-44,
+    -0x1.0e24ff5df739dp-47, -0x1.4a8193e7c44dcp-51, -0x1.35a83779b0bbcp-54, -0x1.88f47d4799050p-57
+};
+
+static inline gs_v gs_best_angle_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_best_angle_centre, i));
+    const gs_v q13 = gs_pick(gs_best_angle_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_best_angle_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_best_angle_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_best_angle_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_best_angle_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_best_angle_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_best_angle_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_best_angle_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_best_angle_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_best_angle_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_best_angle_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_best_angle_c2, i));
+    const gs_v c1 = gs_pick(gs_best_angle_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_best_angle_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_best_angle_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_best_angle_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_best_angle_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_best_angle_centre, i));
+    const gs_v q13 = gs_pick(gs_best_angle_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_best_angle_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_best_angle_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_best_angle_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_best_angle_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_best_angle_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_best_angle_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_best_angle_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_best_angle_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_best_angle_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_best_angle_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_best_angle_c2, i));
+    const gs_v c1 = gs_pick(gs_best_angle_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_best_angle_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_best_angle_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_best_angle_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x in [0.0, 15.0) */
+static inline gs_v gs_best_angle_range0(gs_v x, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_best_angle_near(x, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [15.0, 5.896816288783659e+166) */
+static inline gs_v gs_best_angle_range1(gs_v x, gs_v *lo)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    gs_v half_part_lo;
+    const gs_v half_part = gs_log_near(half_m, &half_part_lo);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_rest = gs_sum_rest(half_whole, half_part, half_s);
+    const gs_v half_off = gs_fma(half_k, gs_v_of(0x1.ef35793c76730p-45), half_part_lo);
+    const gs_v half_e = gs_add(half_rest, half_off);
+    const gs_v half = gs_add(half_s, half_e);
+    const gs_v half_lo = gs_rest(half_s, half_e, half);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v whole_lo = gs_mul(half_lo, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v less_rest = gs_sum_rest(whole, gs_v_of(-0x1.0000000000000p+0), less_s);
+    const gs_v less_off = gs_add(less_rest, whole_lo);
+    const gs_v less = gs_add(less_s, less_off);
+    const gs_v less_lo = gs_rest(less_s, less_off, less);
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_fma(c, z, less_lo);
+    const gs_v y = gs_add(less, off);
+    const gs_v y_lo = gs_rest(less, off, y);
+    gs_v w_lo;
+    const gs_v w = gs_omega_near_pair(y, y_lo, &w_lo);
+    const gs_v s_s = gs_add(w, gs_v_of(0x1.0000000000000p+0));
+    const gs_v s_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+0), s_s);
+    const gs_v s_off = gs_add(s_rest, w_lo);
+    const gs_v s = gs_add(s_s, s_off);
+    const gs_v s_lo = gs_rest(s_s, s_off, s);
+    const gs_v g_q = gs_div(s, a);
+    const gs_v g_e0 = gs_product_rest(g_q, a, s);
+    const gs_v g_e1 = gs_sub(s_lo, g_e0);
+    const gs_v g_off = gs_div(g_e1, a);
+    const gs_v g = gs_add(g_q, g_off);
+    const gs_v g_lo = gs_rest(g_q, g_off, g);
+    const gs_v minus = gs_mul(g, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d = gs_add(a, minus);
+    const gs_v d_rest = gs_rest(a, minus, d);
+    const gs_v d_lo = gs_sub(d_rest, g_lo);
+    const gs_v sine_q = gs_div(w, d);
+    const gs_v sine_e0 = gs_product_rest(sine_q, d, w);
+    const gs_v sine_e1 = gs_sub(w_lo, sine_e0);
+    const gs_v sine_e2 = gs_fnma(sine_q, d_lo, sine_e1);
+    const gs_v sine_off = gs_div(sine_e2, d);
+    const gs_v sine = gs_add(sine_q, sine_off);
+    const gs_v sine_lo = gs_rest(sine_q, sine_off, sine);
+    const gs_v square = gs_mul(sine, sine);
+    const gs_v more_11 = gs_v_of(0x1.a6863d70a3d71p-8);
+    const gs_v more_10 = gs_fma(more_11, square, gs_v_of(0x1.df3bd37a6f4dfp-8));
+    const gs_v more_9 = gs_fma(more_10, square, gs_v_of(0x1.12ef3cf3cf3cfp-7));
+    const gs_v more_8 = gs_fma(more_9, square, gs_v_of(0x1.3fde50d79435ep-7));
+    const gs_v more_7 = gs_fma(more_8, square, gs_v_of(0x1.7a87878787878p-7));
+    const gs_v more_6 = gs_fma(more_7, square, gs_v_of(0x1.c99999999999ap-7));
+    const gs_v more_5 = gs_fma(more_6, square, gs_v_of(0x1.1c4ec4ec4ec4fp-6));
+    const gs_v more_4 = gs_fma(more_5, square, gs_v_of(0x1.6e8ba2e8ba2e9p-6));
+    const gs_v more_3 = gs_fma(more_4, square, gs_v_of(0x1.f1c71c71c71c7p-6));
+    const gs_v more_2 = gs_fma(more_3, square, gs_v_of(0x1.6db6db6db6db7p-5));
+    const gs_v more_1 = gs_fma(more_2, square, gs_v_of(0x1.3333333333333p-4));
+    const gs_v more = gs_fma(more_1, square, gs_v_of(0x1.5555555555555p-3));
+    const gs_v share = gs_mul(square, more);
+    const gs_v half_square = gs_mul(square, gs_v_of(0x1.0000000000000p-1));
+    const gs_v sine_all = gs_fma(half_square, sine_lo, sine_lo);
+    const gs_v angle_off = gs_fma(sine, share, sine_all);
+    const gs_v angle = gs_add(sine, angle_off);
+    const gs_v angle_lo = gs_rest(sine, angle_off, angle);
+    const gs_v r = angle;
+    *lo = angle_lo;
+    return r;
+}
+
+/* x in [5.896816288783659e+166, inf] */
+static inline gs_v gs_best_angle_range2(gs_v x, gs_v *lo)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    gs_v half_part_lo;
+    const gs_v half_part = gs_log_near(half_m, &half_part_lo);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_rest = gs_sum_rest(half_whole, half_part, half_s);
+    const gs_v half_off = gs_fma(half_k, gs_v_of(0x1.ef35793c76730p-45), half_part_lo);
+    const gs_v half_e = gs_add(half_rest, half_off);
+    const gs_v half = gs_add(half_s, half_e);
+    const gs_v half_lo = gs_rest(half_s, half_e, half);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v whole_lo = gs_mul(half_lo, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v less_rest = gs_sum_rest(whole, gs_v_of(-0x1.0000000000000p+0), less_s);
+    const gs_v less_off = gs_add(less_rest, whole_lo);
+    const gs_v less = gs_add(less_s, less_off);
+    const gs_v less_lo = gs_rest(less_s, less_off, less);
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_fma(c, z, less_lo);
+    const gs_v y = gs_add(less, off);
+    const gs_v y_lo = gs_rest(less, off, y);
+    gs_v w_lo;
+    const gs_v w = gs_omega_tail_near_pair(y, y_lo, &w_lo);
+    const gs_v s_s = gs_add(w, gs_v_of(0x1.0000000000000p+0));
+    const gs_v s_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+0), s_s);
+    const gs_v s_off = gs_add(s_rest, w_lo);
+    const gs_v s = gs_add(s_s, s_off);
+    const gs_v s_lo = gs_rest(s_s, s_off, s);
+    const gs_v g_q = gs_div(s, a);
+    const gs_v g_e0 = gs_product_rest(g_q, a, s);
+    const gs_v g_e1 = gs_sub(s_lo, g_e0);
+    const gs_v g_off = gs_div(g_e1, a);
+    const gs_v g = gs_add(g_q, g_off);
+    const gs_v g_lo = gs_rest(g_q, g_off, g);
+    const gs_v minus = gs_mul(g, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d = gs_add(a, minus);
+    const gs_v d_rest = gs_rest(a, minus, d);
+    const gs_v d_lo = gs_sub(d_rest, g_lo);
+    const gs_v sine_q = gs_div(w, d);
+    const gs_v sine_e0 = gs_product_rest(sine_q, d, w);
+    const gs_v sine_e1 = gs_sub(w_lo, sine_e0);
+    const gs_v sine_e2 = gs_fnma(sine_q, d_lo, sine_e1);
+    const gs_v sine_off = gs_div(sine_e2, d);
+    const gs_v sine = gs_add(sine_q, sine_off);
+    const gs_v sine_lo = gs_rest(sine_q, sine_off, sine);
+    const gs_v square = gs_mul(sine, sine);
+    const gs_v more_11 = gs_v_of(0x1.a6863d70a3d71p-8);
+    const gs_v more_10 = gs_fma(more_11, square, gs_v_of(0x1.df3bd37a6f4dfp-8));
+    const gs_v more_9 = gs_fma(more_10, square, gs_v_of(0x1.12ef3cf3cf3cfp-7));
+    const gs_v more_8 = gs_fma(more_9, square, gs_v_of(0x1.3fde50d79435ep-7));
+    const gs_v more_7 = gs_fma(more_8, square, gs_v_of(0x1.7a87878787878p-7));
+    const gs_v more_6 = gs_fma(more_7, square, gs_v_of(0x1.c99999999999ap-7));
+    const gs_v more_5 = gs_fma(more_6, square, gs_v_of(0x1.1c4ec4ec4ec4fp-6));
+    const gs_v more_4 = gs_fma(more_5, square, gs_v_of(0x1.6e8ba2e8ba2e9p-6));
+    const gs_v more_3 = gs_fma(more_4, square, gs_v_of(0x1.f1c71c71c71c7p-6));
+    const gs_v more_2 = gs_fma(more_3, square, gs_v_of(0x1.6db6db6db6db7p-5));
+    const gs_v more_1 = gs_fma(more_2, square, gs_v_of(0x1.3333333333333p-4));
+    const gs_v more = gs_fma(more_1, square, gs_v_of(0x1.5555555555555p-3));
+    const gs_v share = gs_mul(square, more);
+    const gs_v half_square = gs_mul(square, gs_v_of(0x1.0000000000000p-1));
+    const gs_v sine_all = gs_fma(half_square, sine_lo, sine_lo);
+    const gs_v angle_off = gs_fma(sine, share, sine_all);
+    const gs_v angle = gs_add(sine, angle_off);
+    const gs_v angle_lo = gs_rest(sine, angle_off, angle);
+    const gs_v r = angle;
+    *lo = angle_lo;
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_best_angle_range3(gs_v x, gs_v *lo)
+{
+    const gs_v r = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+static GS_RARE gs_v gs_best_angle_outside(gs_v x, gs_v r, gs_v *lo)
+{
+    const gs_v m = x;
+    gs_v tail, rest;
+    gs_mask here;
+    here = gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.0000000000000p+554));
+    tail = gs_best_angle_range1(gs_select(here, m, gs_v_of(0x1.e000000000000p+3)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(0x1.0000000000000p+554));
+    tail = gs_best_angle_range2(gs_select(here, m, gs_v_of(0x1.0000000000000p+554)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(INFINITY));
+    tail = gs_best_angle_range3(gs_select(here, m, gs_v_of(INFINITY)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    return gs_refuse_beyond(x, gs_v_of(0x0.0p+0), gs_v_of(INFINITY), r, lo);
+}
+
+/* asin of best_sine: the nearest double but for a little, and the rest. */
+static inline gs_v gs_best_angle_value(gs_v x, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_mask here = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    gs_v rest;
+    const gs_v r = gs_best_angle_range0(gs_select(here, m, gs_v_of(0x0.0p+0)), &rest);
+    *lo = rest;
+    return gs_all(here) ? r : gs_best_angle_outside(x, r, lo);
+}
+
+/* sqrt(1 - (1 + s) exp(-s))/a, s as in best_sine, on [0.0, 7.5): degree 14 on each of 16 pieces. */
+GS_TABLE(gs_max_range_factor_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-3, 0x1.4000000000000p-2, 0x1.c000000000000p-2,
+    0x1.4000000000000p-1, 0x1.c000000000000p-1, 0x1.2000000000000p+0, 0x1.6000000000000p+0,
+    0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1, 0x1.a000000000000p+1,
+    0x1.0000000000000p+2, 0x1.4000000000000p+2, 0x1.8000000000000p+2, 0x1.c000000000000p+2
+};
+GS_TABLE(gs_max_range_factor_c0) = {
+    0x1.0000000000000p+0, 0x1.b313739318e8cp-1, 0x1.8b716bd5725f9p-1, 0x1.6a679f99807a6p-1,
+    0x1.42013387c801ap-1, 0x1.1845b3994fe55p-1, 0x1.f01ccc10e7a08p-2, 0x1.bcdec6ce97d19p-2,
+    0x1.811025008a581p-2, 0x1.465f3775c4baap-2, 0x1.1b14f45606888p-2, 0x1.f3b0d1697d090p-3,
+    0x1.a8a9fdff0f31ap-3, 0x1.619be61f3c6d9p-3, 0x1.2ec59e2d8bd00p-3, 0x1.089eaff42438ap-3
+};
+GS_TABLE(gs_max_range_factor_c0_lo) = {
+    0x0.0p+0, 0x1.cde7216f9546ap-56, 0x1.a2d183f8adc0bp-57, 0x1.b8ffec996cad0p-55,
+    0x1.a44ce191b463cp-55, 0x1.c1234f33d4f8fp-56, -0x1.0089c96890a98p-58, -0x1.a5e89edb7fb6ap-60,
+    -0x1.00ff3f1aa1ddep-56, -0x1.d8bbf399ecd87p-56, -0x1.56251fee64bb1p-56, -0x1.cdce50279a0a7p-57,
+    -0x1.d975f34ab4ec9p-57, -0x1.a199047e709c0p-57, -0x1.2815717a90901p-57, -0x1.09ea9d3d876b6p-58
+};
+GS_TABLE(gs_max_range_factor_c1) = {
+    -0x1.e2b7dddfefa66p-1, -0x1.5cbaa9be0b11ep-1, -0x1.204877e4eb4c3p-1, -0x1.e4a84f2946461p-2,
+    -0x1.7f2d1542e88fcp-2, -0x1.22e4e2430ed04p-2, -0x1.c8af8089344a8p-3, -0x1.6ff8a2c9a65f5p-3,
+    -0x1.147c7413e077ep-3, -0x1.8ea61d9e55efep-4, -0x1.2cd776e87f975p-4, -0x1.d5fa7fa37ee29p-5,
+    -0x1.54a5b1dff2f39p-5, -0x1.da366842fd610p-6, -0x1.5cc17c12bcf47p-6, -0x1.0b176b4527fe8p-6
+};
+GS_TABLE(gs_max_range_factor_c1_lo) = {
+    -0x1.602b63128d688p-57, -0x1.417296287c802p-55, 0x1.62140f3f335bap-55, -0x1.7ff74215aadd9p-56,
+    -0x1.e390ed2bcfc1cp-56, -0x1.26f413f247d19p-59, 0x1.1a70e3f78700dp-58, 0x1.a272f98b24642p-58,
+    -0x1.98e4230bce0cfp-58, -0x1.65ff856aab8bap-58, -0x1.dc3a527b9f443p-65, -0x1.7126bffbdce5fp-59,
+    0x1.a77ee662306cep-59, 0x1.66cc992dd4887p-61, -0x1.5f530d00ffe0ep-60, 0x1.fae1636f7125ep-61
+};
+GS_TABLE(gs_max_range_factor_c2) = {
+    0x1.c71c71c71c71cp-1, 0x1.16bbf096d79a8p-1, 0x1.a28b63ada76acp-2, 0x1.4253552ab01dfp-2,
+    0x1.c4e0d8b5b2a4cp-3, 0x1.2b77fc3b6325ap-3, 0x1.a095d8e00801ap-4, 0x1.2d67ed1fd99c6p-4,
+    0x1.88ee9f6f5fda2p-5, 0x1.e1aa1cb6a4ab2p-6, 0x1.3c34b3d079de5p-6, 0x1.b52f4b3121f10p-7,
+    0x1.0e4efd7f49e03p-7, 0x1.3aaee3d05e0b9p-8, 0x1.8dc30e89f1a30p-9, 0x1.0b1009e2a14c2p-9
+};
+GS_TABLE(gs_max_range_factor_c3) = {
+    -0x1.afc3bf57f153cp-1, -0x1.bf83816f38c49p-2, -0x1.30d77b9931006p-2, -0x1.adc732ed0bcf0p-3,
+    -0x1.0bfd4185e093ep-3, -0x1.345a2e965e9bdp-4, -0x1.7bbb5da02d066p-5, -0x1.ed0de1f6ac63cp-6,
+    -0x1.1694706425aeep-6, -0x1.221a844a711f0p-7, -0x1.4b2d52c25e2bfp-8, -0x1.95180cc2fc492p-9,
+    -0x1.ab2c5ae0b50d8p-10, -0x1.9fc96ad6a5c13p-11, -0x1.c39c5577ccef5p-12, -0x1.09d61fe0cacf0p-12
+};
+GS_TABLE(gs_max_range_factor_c4) = {
+    0x1.9c20de7fa5d11p-1, 0x1.6903babaceb08p-2, 0x1.bdf108af30b6ep-3, 0x1.1f92e1b31b38fp-3,
+    0x1.3e152c69f436cp-4, 0x1.3e280309c9e42p-5, 0x1.5a9f5fd69b882p-6, 0x1.939f2fc6cd1b1p-7,
+    0x1.8b160477506efp-8, 0x1.5d49e9cc654adp-9, 0x1.5a8606df1d528p-10, 0x1.76dc80f4fe9fep-11,
+    0x1.50f4bdb75c49dp-12, 0x1.12202176cd08bp-13, 0x1.ff99f997a010ep-15, 0x1.07fe6296458a1p-15
+};
+GS_TABLE(gs_max_range_factor_c5) = {
+    -0x1.8b6ac7625c259p-1, -0x1.24816e9c34a14p-2, -0x1.47735c671802fp-3, -0x1.8231455f61b41p-4,
+    -0x1.7aa9e85bc3186p-5, -0x1.490e49cd1d066p-6, -0x1.3d003b3713f6ap-7, -0x1.4ae71a17e56c4p-8,
+    -0x1.186f04f7071c6p-9, -0x1.a4bdfad6eca12p-11, -0x1.6a9a79cdb2e92p-12, -0x1.5acc5b89bb4d3p-13,
+    -0x1.09a1ec607d645p-14, -0x1.691fe76020945p-16, -0x1.2173755eacab3p-17, -0x1.05d3e1effa7b6p-18
+};
+GS_TABLE(gs_max_range_factor_c6) = {
+    0x1.7cfe356294238p-1, 0x1.dbbe4327b588ep-3, 0x1.e2821918829a9p-4, 0x1.041d706b2ea15p-4,
+    0x1.c4007f8642ee5p-6, 0x1.551a624f0a6d9p-7, 0x1.227722e03234ep-8, 0x1.0fb86f0c9738ap-9,
+    0x1.8e9734fbd22a0p-11, 0x1.fb38eab90ca71p-13, 0x1.7b9d4f74c6b4fp-14, 0x1.40e90391f853ap-15,
+    0x1.a2c8b8cd65b2bp-17, 0x1.db912095d6bcfp-19, 0x1.4758c4dd8a15fp-20, 0x1.037f97195dd00p-21
+};
+GS_TABLE(gs_max_range_factor_c7) = {
+    -0x1.7060bae04c2bcp-1, -0x1.84151d19a6985p-3, -0x1.64837beab16f9p-4, -0x1.5f531c3cb9f07p-5,
+    -0x1.0e69a936383c7p-6, -0x1.6251456b0c9f9p-8, -0x1.0a9fe5e69a065p-9, -0x1.beef2090fad34p-11,
+    -0x1.1b9e0efa24230p-12, -0x1.3205061db481bp-14, -0x1.8daf8fc793ff0p-16, -0x1.29168dd6ded4ep-17,
+    -0x1.4a2f1434ef704p-19, -0x1.391fb5600918bp-21, -0x1.721ee626ce87ep-23, -0x1.01190e249e1c5p-24
+};
+GS_TABLE(gs_max_range_factor_c8) = {
+    0x1.6534300469fffp-1, 0x1.3d66da70047bdp-3, 0x1.080fe19c02f5ap-4, 0x1.db9986b58abe9p-6,
+    0x1.44389a7981d4dp-7, 0x1.70b6d07aaa7acp-9, 0x1.ea44c24a4bc35p-11, 0x1.7016a5c2078b0p-12,
+    0x1.94183ac420457p-14, 0x1.7199a272d620bp-16, 0x1.a0ea62c879d4dp-18, 0x1.132efeea7a48ep-19,
+    0x1.046a52675ff5dp-21, 0x1.9c62e7ca04e3dp-24, 0x1.a2784f910b2b0p-26, 0x1.fd5c881407c34p-28
+};
+GS_TABLE(gs_max_range_factor_c9) = {
+    -0x1.5afcd08249c4dp-1, -0x1.042c03d4ce28dp-3, -0x1.87fd12cc38c1fp-5, -0x1.428d2573f91f7p-6,
+    -0x1.85700e8b3bc7fp-8, -0x1.80502c77e6a89p-10, -0x1.c366ceb47a2e7p-12, -0x1.2f8b4e2ec77efp-13,
+    -0x1.203133bb55718p-15, -0x1.bec9ccbadfbb0p-18, -0x1.b5638e3895180p-20, -0x1.fe149af36c618p-22,
+    -0x1.9af1645edb4bep-24, -0x1.0f9e0720c120bp-26, -0x1.d92c775bda0cap-29, -0x1.f88f6702bfc9ap-31
+};
+GS_TABLE(gs_max_range_factor_c10) = {
+    0x1.4f1ad170ed34ap-1, 0x1.ab56a07408f4ep-4, 0x1.23789275b6834p-5, 0x1.b641b09760db6p-7,
+    0x1.d482b33755033p-9, 0x1.912461d76ad1ap-11, 0x1.a0269ba17b7dfp-13, 0x1.f53840a397bd3p-15,
+    0x1.9b7afe640187ep-17, 0x1.0e462e24e0534p-19, 0x1.cb2f807c992a2p-22, 0x1.d9036438c4b69p-24,
+    0x1.44603462a5567p-26, 0x1.65e54d83625edp-29, 0x1.0b8dd4a0c3996p-31, 0x1.f3d4f166d5302p-34
+};
+GS_TABLE(gs_max_range_factor_c11) = {
+    -0x1.304227dc06cbbp-1, -0x1.5f86770537f1ap-4, -0x1.b22125acb1b3cp-6, -0x1.2a2c8530df320p-7,
+    -0x1.1a28872e661abp-9, -0x1.a33165f158282p-12, -0x1.801209325277dp-14, -0x1.9e3b7a4985db4p-16,
+    -0x1.25eaef720c285p-18, -0x1.472f46a0b61e6p-21, -0x1.e25581e949755p-24, -0x1.b6dad44f8955dp-26,
+    -0x1.0002ef4fe8d3ep-28, -0x1.d797d3d9b95f6p-32, -0x1.2e96a83f3e28ep-34, -0x1.ef28b38c3e1d8p-37
+};
+GS_TABLE(gs_max_range_factor_c12) = {
+    0x1.73c023fa79d2bp-2, 0x1.219804a68984bp-4, 0x1.43c2ff8379991p-6, 0x1.9646c3412f1eap-8,
+    0x1.5456c41b3c333p-10, 0x1.b6987f8a3cd36p-13, 0x1.62da34d9efac3p-15, 0x1.56ae7fd7f788fp-17,
+    0x1.a465a575aa145p-20, 0x1.8c707821030e3p-23, 0x1.fb044b14d76e6p-26, 0x1.9767ca9aa4cfap-28,
+    0x1.94816126b121cp-31, 0x1.36e1e1db2a182p-34, 0x1.5655136bc0571p-37, 0x1.eaa3a1a0b4e36p-40
+};
+GS_TABLE(gs_max_range_factor_c13) = {
+    0x1.c7996d7922046p-3, -0x1.e295a6eee3db6p-5, -0x1.e77d86813088bp-7, -0x1.17045bbef36d0p-8,
+    -0x1.a3f690e59ea6fp-11, -0x1.d2e1db0762464p-14, -0x1.4c562ac6b98d9p-16, -0x1.1e9e9c75e8d1ap-18,
+    -0x1.3636d5aeb985ep-21, -0x1.eb45ac24271b5p-25, -0x1.0f08d90cd042cp-27, -0x1.7f3ff3eca0013p-30,
+    -0x1.4bdb037755dc8p-33, -0x1.a4bb94b2bd3b1p-37, -0x1.8acb35d97a1c9p-40, -0x1.ed56cdfb81ad6p-43
+};
+GS_TABLE(gs_max_range_factor_c14) = {
+    -0x1.602e43c99e8adp-1, 0x1.8e88b7df1f363p-5, 0x1.6c678a24a762cp-7, 0x1.7d05a6e196ce2p-9,
+    0x1.fba1eb53816f1p-12, 0x1.e971746d09da4p-15, 0x1.339b04a30424ap-17, 0x1.db02e30480161p-20,
+    0x1.bc60ffa0260bdp-23, 0x1.2a04bf07c27b8p-26, 0x1.1d3a40243ce77p-29, 0x1.6422fb3d4db98p-32,
+    0x1.06630f3dfa138p-35, 0x1.1586cd3e2e9c6p-39, 0x1.bedacbe1ded09p-43, 0x1.e8ffc916378e5p-46
+};
+
+static inline gs_v gs_max_range_factor_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_max_range_factor_centre, i));
+    const gs_v q14 = gs_pick(gs_max_range_factor_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_max_range_factor_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_max_range_factor_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_max_range_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_max_range_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_max_range_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_max_range_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_max_range_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_max_range_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_max_range_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_max_range_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_max_range_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_max_range_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_max_range_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_max_range_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_max_range_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_max_range_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_max_range_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_max_range_factor_centre, i));
+    const gs_v q14 = gs_pick(gs_max_range_factor_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_max_range_factor_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_max_range_factor_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_max_range_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_max_range_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_max_range_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_max_range_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_max_range_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_max_range_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_max_range_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_max_range_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_max_range_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_max_range_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_max_range_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_max_range_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_max_range_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_max_range_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x in [0.0, 7.5) */
+static inline gs_v gs_max_range_factor_range0(gs_v x, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_max_range_factor_near(x, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [7.5, 5.896816288783659e+166) */
+static inline gs_v gs_max_range_factor_range1(gs_v x, gs_v *lo)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    gs_v half_part_lo;
+    const gs_v half_part = gs_log_near(half_m, &half_part_lo);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_rest = gs_sum_rest(half_whole, half_part, half_s);
+    const gs_v half_off = gs_fma(half_k, gs_v_of(0x1.ef35793c76730p-45), half_part_lo);
+    const gs_v half_e = gs_add(half_rest, half_off);
+    const gs_v half = gs_add(half_s, half_e);
+    const gs_v half_lo = gs_rest(half_s, half_e, half);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v whole_lo = gs_mul(half_lo, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v less_rest = gs_sum_rest(whole, gs_v_of(-0x1.0000000000000p+0), less_s);
+    const gs_v less_off = gs_add(less_rest, whole_lo);
+    const gs_v less = gs_add(less_s, less_off);
+    const gs_v less_lo = gs_rest(less_s, less_off, less);
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_fma(c, z, less_lo);
+    const gs_v y = gs_add(less, off);
+    const gs_v y_lo = gs_rest(less, off, y);
+    gs_v w_lo;
+    const gs_v w = gs_omega_near_pair(y, y_lo, &w_lo);
+    const gs_v t_s = gs_add(w, gs_v_of(0x1.0000000000000p+1));
+    const gs_v t_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+1), t_s);
+    const gs_v t_off = gs_add(t_rest, w_lo);
+    const gs_v t = gs_add(t_s, t_off);
+    const gs_v t_lo = gs_rest(t_s, t_off, t);
+    const gs_v n_h = gs_mul(t, w);
+    const gs_v n_e0 = gs_product_rest(t, w, n_h);
+    const gs_v n_e1 = gs_fma(t, w_lo, n_e0);
+    const gs_v n_e2 = gs_fma(w, t_lo, n_e1);
+    const gs_v n = gs_add(n_h, n_e2);
+    const gs_v n_lo = gs_rest(n_h, n_e2, n);
+    const gs_v b = gs_min(a, gs_v_of(0x1.0000000000000p+500));
+    const gs_v square_h = gs_mul(b, b);
+    const gs_v square_e0 = gs_product_rest(b, b, square_h);
+    const gs_v square = gs_add(square_h, square_e0);
+    const gs_v square_lo = gs_rest(square_h, square_e0, square);
+    const gs_v d_s = gs_add(square, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d_rest = gs_sum_rest(square, gs_v_of(-0x1.0000000000000p+0), d_s);
+    const gs_v d_off = gs_add(d_rest, square_lo);
+    const gs_v d = gs_add(d_s, d_off);
+    const gs_v d_lo = gs_rest(d_s, d_off, d);
+    const gs_v v_q = gs_div(n, d);
+    const gs_v v_e0 = gs_product_rest(v_q, d, n);
+    const gs_v v_e1 = gs_sub(n_lo, v_e0);
+    const gs_v v_e2 = gs_fnma(v_q, d_lo, v_e1);
+    const gs_v v_off = gs_div(v_e2, d);
+    const gs_v v = gs_add(v_q, v_off);
+    const gs_v v_lo = gs_rest(v_q, v_off, v);
+    const gs_v minus = gs_mul(v, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v minus_lo = gs_mul(v_lo, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v left_s = gs_add(minus, gs_v_of(0x1.0000000000000p+0));
+    const gs_v left_rest = gs_sum_rest(minus, gs_v_of(0x1.0000000000000p+0), left_s);
+    const gs_v left_off = gs_add(left_rest, minus_lo);
+    const gs_v left = gs_add(left_s, left_off);
+    const gs_v left_lo = gs_rest(left_s, left_off, left);
+    const gs_v top = gs_sqrt(left);
+    const gs_v top_e0 = gs_product_rest(top, top, left);
+    const gs_v top_e1 = gs_sub(top_e0, left_lo);
+    const gs_v top_twice = gs_fma(top, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v top_lo = gs_div(top_e1, top_twice);
+    const gs_v factor_q = gs_div(top, a);
+    const gs_v factor_e0 = gs_product_rest(factor_q, a, top);
+    const gs_v factor_e1 = gs_sub(top_lo, factor_e0);
+    const gs_v factor_off = gs_div(factor_e1, a);
+    const gs_v factor = gs_add(factor_q, factor_off);
+    const gs_v factor_lo = gs_rest(factor_q, factor_off, factor);
+    const gs_v r = factor;
+    *lo = factor_lo;
+    return r;
+}
+
+/* x in [5.896816288783659e+166, inf] */
+static inline gs_v gs_max_range_factor_range2(gs_v x, gs_v *lo)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    gs_v half_part_lo;
+    const gs_v half_part = gs_log_near(half_m, &half_part_lo);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_rest = gs_sum_rest(half_whole, half_part, half_s);
+    const gs_v half_off = gs_fma(half_k, gs_v_of(0x1.ef35793c76730p-45), half_part_lo);
+    const gs_v half_e = gs_add(half_rest, half_off);
+    const gs_v half = gs_add(half_s, half_e);
+    const gs_v half_lo = gs_rest(half_s, half_e, half);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v whole_lo = gs_mul(half_lo, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v less_rest = gs_sum_rest(whole, gs_v_of(-0x1.0000000000000p+0), less_s);
+    const gs_v less_off = gs_add(less_rest, whole_lo);
+    const gs_v less = gs_add(less_s, less_off);
+    const gs_v less_lo = gs_rest(less_s, less_off, less);
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_fma(c, z, less_lo);
+    const gs_v y = gs_add(less, off);
+    const gs_v y_lo = gs_rest(less, off, y);
+    gs_v w_lo;
+    const gs_v w = gs_omega_tail_near_pair(y, y_lo, &w_lo);
+    const gs_v t_s = gs_add(w, gs_v_of(0x1.0000000000000p+1));
+    const gs_v t_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+1), t_s);
+    const gs_v t_off = gs_add(t_rest, w_lo);
+    const gs_v t = gs_add(t_s, t_off);
+    const gs_v t_lo = gs_rest(t_s, t_off, t);
+    const gs_v n_h = gs_mul(t, w);
+    const gs_v n_e0 = gs_product_rest(t, w, n_h);
+    const gs_v n_e1 = gs_fma(t, w_lo, n_e0);
+    const gs_v n_e2 = gs_fma(w, t_lo, n_e1);
+    const gs_v n = gs_add(n_h, n_e2);
+    const gs_v n_lo = gs_rest(n_h, n_e2, n);
+    const gs_v b = gs_min(a, gs_v_of(0x1.0000000000000p+500));
+    const gs_v square_h = gs_mul(b, b);
+    const gs_v square_e0 = gs_product_rest(b, b, square_h);
+    const gs_v square = gs_add(square_h, square_e0);
+    const gs_v square_lo = gs_rest(square_h, square_e0, square);
+    const gs_v d_s = gs_add(square, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d_rest = gs_sum_rest(square, gs_v_of(-0x1.0000000000000p+0), d_s);
+    const gs_v d_off = gs_add(d_rest, square_lo);
+    const gs_v d = gs_add(d_s, d_off);
+    const gs_v d_lo = gs_rest(d_s, d_off, d);
+    const gs_v v_q = gs_div(n, d);
+    const gs_v v_e0 = gs_product_rest(v_q, d, n);
+    const gs_v v_e1 = gs_sub(n_lo, v_e0);
+    const gs_v v_e2 = gs_fnma(v_q, d_lo, v_e1);
+    const gs_v v_off = gs_div(v_e2, d);
+    const gs_v v = gs_add(v_q, v_off);
+    const gs_v v_lo = gs_rest(v_q, v_off, v);
+    const gs_v minus = gs_mul(v, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v minus_lo = gs_mul(v_lo, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v left_s = gs_add(minus, gs_v_of(0x1.0000000000000p+0));
+    const gs_v left_rest = gs_sum_rest(minus, gs_v_of(0x1.0000000000000p+0), left_s);
+    const gs_v left_off = gs_add(left_rest, minus_lo);
+    const gs_v left = gs_add(left_s, left_off);
+    const gs_v left_lo = gs_rest(left_s, left_off, left);
+    const gs_v top = gs_sqrt(left);
+    const gs_v top_e0 = gs_product_rest(top, top, left);
+    const gs_v top_e1 = gs_sub(top_e0, left_lo);
+    const gs_v top_twice = gs_fma(top, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v top_lo = gs_div(top_e1, top_twice);
+    const gs_v factor_q = gs_div(top, a);
+    const gs_v factor_e0 = gs_product_rest(factor_q, a, top);
+    const gs_v factor_e1 = gs_sub(top_lo, factor_e0);
+    const gs_v factor_off = gs_div(factor_e1, a);
+    const gs_v factor = gs_add(factor_q, factor_off);
+    const gs_v factor_lo = gs_rest(factor_q, factor_off, factor);
+    const gs_v r = factor;
+    *lo = factor_lo;
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_max_range_factor_range3(gs_v x, gs_v *lo)
+{
+    const gs_v r = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+static GS_RARE gs_v gs_max_range_factor_outside(gs_v x, gs_v r, gs_v *lo)
+{
+    const gs_v m = x;
+    gs_v tail, rest;
+    gs_mask here;
+    here = gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
+    tail = gs_max_range_factor_range1(gs_select(here, m, gs_v_of(0x1.e000000000000p+2)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(0x1.0000000000000p+554));
+    tail = gs_max_range_factor_range2(gs_select(here, m, gs_v_of(0x1.0000000000000p+554)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(INFINITY));
+    tail = gs_max_range_factor_range3(gs_select(here, m, gs_v_of(INFINITY)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    return gs_refuse_beyond(x, gs_v_of(0x0.0p+0), gs_v_of(INFINITY), r, lo);
+}
+
+/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2: the nearest double but for a little, and the rest. */
+static inline gs_v gs_max_range_factor_value(gs_v x, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_mask here = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
+    gs_v rest;
+    const gs_v r = gs_max_range_factor_range0(gs_select(here, m, gs_v_of(0x0.0p+0)), &rest);
+    *lo = rest;
+    return gs_all(here) ? r : gs_max_range_factor_outside(x, r, lo);
+}
+
+/* (1 - exp(-tau))/p, tau - 1 + exp(-tau) = p^2/2, on [0.0, 9.375): degree 16 on each of 16 pieces. */
+GS_TABLE(gs_rise_factor_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-3, 0x1.4000000000000p-2, 0x1.0000000000000p-1,
+    0x1.8000000000000p-1, 0x1.0000000000000p+0, 0x1.4000000000000p+0, 0x1.a000000000000p+0,
+    0x1.1000000000000p+1, 0x1.5000000000000p+1, 0x1.9000000000000p+1, 0x1.f000000000000p+1,
+    0x1.3800000000000p+2, 0x1.7800000000000p+2, 0x1.b800000000000p+2, 0x1.0c00000000000p+3
+};
+GS_TABLE(gs_rise_factor_c0) = {
+    0x1.0000000000000p+0, 0x1.e0833c4de4fa9p-1, 0x1.cc1d4cd48c2b4p-1, 0x1.ae772b21dec14p-1,
+    0x1.88d3e3a790996p-1, 0x1.658652fec2b8ap-1, 0x1.44ba893ea57fbp-1, 0x1.188959b4dfc42p-1,
+    0x1.ce95f0367a23bp-2, 0x1.8176a1ecf2ed8p-2, 0x1.46c3a3fd4870fp-2, 0x1.0834677b6d4cep-2,
+    0x1.a419fbac30bbbp-3, 0x1.5c9882745ca9dp-3, 0x1.29e4129e2782fp-3, 0x1.e9131abf0b765p-4
+};
+GS_TABLE(gs_rise_factor_c0_lo) = {
+    0x0.0p+0, 0x1.d422a7b9c67f6p-55, -0x1.c3a513f634239p-55, 0x1.1fcadb78b3df1p-55,
+    -0x1.13a14cc4b1aadp-55, 0x1.13065587e4bb3p-57, -0x1.a27c883d02d1dp-61, 0x1.66b1657a1716dp-55,
+    -0x1.67fc32f81aecbp-56, 0x1.8469ab7e436e5p-56, 0x1.f4b92e41c85e6p-58, -0x1.53b1764e2fcb1p-57,
+    0x1.eb18f835ab3b9p-57, -0x1.023c6f663b27fp-58, 0x1.5b243e8a61765p-57, 0x1.3748f7e0e43ccp-58
+};
+GS_TABLE(gs_rise_factor_c1) = {
+    -0x1.5555555555555p-2, -0x1.4a42c58806b22p-2, -0x1.426b3bc0b48bap-2, -0x1.35f3402102773p-2,
+    -0x1.240162d332d8ap-2, -0x1.109c62b6e5c2cp-2, -0x1.f7dd61aaf7307p-3, -0x1.b665725f68e83p-3,
+    -0x1.5df1635f8e8c6p-3, -0x1.0d13bcc3d22d6p-3, -0x1.96c764f333151p-4, -0x1.0fe6724c2f8f0p-4,
+    -0x1.58ad873dcd18cp-5, -0x1.daaef142456e2p-6, -0x1.5aa2fe5ebdbb2p-6, -0x1.d32cfecd6a70ep-7
+};
+GS_TABLE(gs_rise_factor_c1_lo) = {
+    -0x1.5553148152390p-56, -0x1.00be779598e39p-56, -0x1.118676be0e1e6p-56, 0x1.8633fd9eba565p-56,
+    -0x1.ef7ff628dff98p-58, 0x1.2371fe18916ecp-58, -0x1.bac10fe7dd82ap-57, 0x1.df3c1dfa00e25p-57,
+    -0x1.0f0dbcac9359cp-58, 0x1.8ce888f41e640p-58, 0x1.9ee33eb5f3b59p-60, 0x1.4b78be35a364ap-58,
+    0x1.c63410d55301ep-59, -0x1.06e9934d9e35ep-60, 0x1.231b6adc84ee5p-61, -0x1.5aca410f4a801p-62
+};
+GS_TABLE(gs_rise_factor_c2) = {
+    0x1.c71c71c71c71cp-6, 0x1.e9f9097fd6708p-6, 0x1.00ee81cf49508p-5, 0x1.131619f11f957p-5,
+    0x1.2aff8ee3f85e5p-5, 0x1.41311aa2a2a82p-5, 0x1.53ba8247d8d85p-5, 0x1.63bf6b60203d3p-5,
+    0x1.591d02186d68ap-5, 0x1.28731fa0cc94ap-5, 0x1.c7e012aed4efcp-6, 0x1.12af2ef571ae4p-6,
+    0x1.1a9e3ed8755acp-7, 0x1.432fbceef27a1p-8, 0x1.935beae7db4fbp-9, 0x1.be41e7ee3e761p-10
+};
+GS_TABLE(gs_rise_factor_c3) = {
+    0x1.e573ac901edc0p-9, 0x1.f9076fe0f1e7bp-9, 0x1.00cbd7383b7a4p-8, 0x1.028ab44896213p-8,
+    0x1.f1e8409747af0p-9, 0x1.ba137e9e31a75p-9, 0x1.54b1b8a296e78p-9, 0x1.867cf91953a35p-11,
+    -0x1.4b4f59c00b9abp-9, -0x1.4f8e154b3bacbp-8, -0x1.73dfeed737f4dp-8, -0x1.010040aed595bp-8,
+    -0x1.cd7a573680264p-10, -0x1.b80d22317d124p-11, -0x1.d55cf48fd0bd0p-12, -0x1.aa4698c4ec8e7p-13
+};
+GS_TABLE(gs_rise_factor_c4) = {
+    0x1.e573ac87e4563p-13, 0x1.5339aa949f7b0p-13, 0x1.9675e75d81e36p-14, -0x1.12963135158bfp-15,
+    -0x1.1e72fc3b06306p-12, -0x1.359dd1e962f7bp-11, -0x1.f83ff3c0446c4p-11, -0x1.856674231df0fp-10,
+    -0x1.abfe7b82d873ep-10, -0x1.b2996c285592ep-11, 0x1.d69b9ed67e26bp-13, 0x1.746d45debf0eep-11,
+    0x1.70f6a216115bcp-12, 0x1.2b6fc457d2a1fp-13, 0x1.11153f145c750p-14, 0x1.973054ca06efbp-16
+};
+GS_TABLE(gs_rise_factor_c5) = {
+    -0x1.ed283c088e6c5p-15, -0x1.7e7af5e577777p-14, -0x1.ea165da4435dap-14, -0x1.50ed8a2605d6dp-13,
+    -0x1.d65ef99396102p-13, -0x1.2635f9bb1d98ep-12, -0x1.40a8e485d184dp-12, -0x1.d49ac749158adp-13,
+    0x1.2675e75f920e2p-13, 0x1.d427dd4c4b9e5p-12, 0x1.5c05f75be5598p-12, -0x1.f237265add5a3p-16,
+    -0x1.10580e5d9213ep-14, -0x1.9653936cb6da6p-16, -0x1.3dc2644cbe597p-17, -0x1.84f4da7a53272p-19
+};
+GS_TABLE(gs_rise_factor_c6) = {
+    -0x1.ac79e4b51f261p-16, -0x1.0d1eed55f0c30p-15, -0x1.30427377b45dap-15, -0x1.59f276269a318p-15,
+    -0x1.60f4bc5591435p-15, -0x1.fc5faeb5db843p-16, 0x1.11041352efc29p-24, 0x1.446e87f0b2931p-14,
+    0x1.2c6352c0482f0p-13, 0x1.221c2a74b8a44p-15, -0x1.7c6c25ec7082fp-14, -0x1.61904eb371295p-15,
+    0x1.2cfd5a62279fcp-17, 0x1.100506fe035b1p-18, 0x1.71acf7cec41f4p-20, 0x1.738a5d6049c0dp-22
+};
+GS_TABLE(gs_rise_factor_c7) = {
+    -0x1.3ebdb38a1811bp-18, -0x1.4d0f231c95c87p-18, -0x1.3024430250d90p-18, -0x1.75815ee1d5cebp-19,
+    0x1.4a46886859c0dp-19, 0x1.85de8e9feb9cap-17, 0x1.84a0ef9897671p-16, 0x1.0ec90eea75bb0p-15,
+    -0x1.36caded859e83p-18, -0x1.8e4160b16dcc6p-15, -0x1.eff270fe52d0dp-17, 0x1.212f490574c46p-16,
+    0x1.4b4169f38555bp-23, -0x1.59cffb22fe046p-21, -0x1.ada0108c1d1c5p-23, -0x1.62e77d31bbf48p-25
+};
+GS_TABLE(gs_rise_factor_c8) = {
+    -0x1.87b818e5ff637p-18, 0x1.b92c68ff69303p-23, 0x1.6ea2fb89815b2p-21, 0x1.cc04ea59f86b1p-20,
+    0x1.e37975b6cf96ep-19, 0x1.6d7203e525267p-18, 0x1.7b0c7924bac9ap-18, -0x1.47d02b05534b6p-20,
+    -0x1.0052ef1bfcca7p-16, -0x1.1a4e71a299216p-20, 0x1.a259d538af302p-17, -0x1.e1c1576ed299bp-20,
+    -0x1.79ec93b84094bp-21, 0x1.6b68d3eb95e31p-24, 0x1.f0d75eae4e01fp-26, 0x1.53032854668a4p-28
+};
+GS_TABLE(gs_rise_factor_c9) = {
+    0x1.33b1098a8a27bp-13, 0x1.7d712e231707cp-22, 0x1.0aa1ba667f8acp-21, 0x1.84aba389ea664p-21,
+    0x1.e8b3a82cc5f6cp-21, 0x1.462c544ed27e3p-21, -0x1.3f651326079d8p-21, -0x1.cc5d3507c0e2cp-19,
+    -0x1.a7012fca59725p-21, 0x1.719aca15278c1p-18, -0x1.2b7aeb2d45593p-21, -0x1.2d1612a3029f6p-20,
+    0x1.34c104e928e09p-22, -0x1.b1d848d547c71p-29, -0x1.1992272d583a0p-28, -0x1.43d40b06809ddp-31
+};
+GS_TABLE(gs_rise_factor_c10) = {
+    -0x1.658315e7dde6ep-9, 0x1.c3d71bac2475fp-24, 0x1.00fdbc479051ap-23, 0x1.f09d693631333p-24,
+    0x1.0632a801f11cdp-27, -0x1.2e148972d2643p-22, -0x1.6b635dbca60acp-21, -0x1.342be2cfcb053p-21,
+    0x1.c307cb97d7a63p-20, -0x1.cea24186e0ecfp-24, -0x1.683607aac8227p-20, 0x1.1c2d07df72897p-21,
+    -0x1.0a2af95854efbp-24, -0x1.ea3ddd57f3adbp-29, 0x1.284521c23c19fp-31, 0x1.354da53f82c38p-34
+};
+GS_TABLE(gs_rise_factor_c11) = {
+    0x1.28d88f9a14d45p-5, 0x1.c147dbb6c3fbap-27, 0x1.e8f491eab3f4cp-28, -0x1.db6eab4862a15p-27,
+    -0x1.2c22b43ffdbabp-24, -0x1.267b4c53c25ffp-23, -0x1.0fb8b8ea82bb2p-23, 0x1.075060cfe83d7p-22,
+    0x1.12bfdacf0c0ddp-22, -0x1.6702819b6a0bfp-21, 0x1.368279a551d82p-22, -0x1.8f93905f4b666p-25,
+    0x1.653f81bb12bb5p-30, 0x1.e86e7793b54dcp-30, -0x1.cf01b02ce07cep-35, -0x1.2751958ff1098p-37
+};
+GS_TABLE(gs_rise_factor_c12) = {
+    -0x1.5cfdc6879b524p-2, -0x1.4653c53da1352p-29, -0x1.8e0be23676751p-28, -0x1.c698345b1a76ep-27,
+    -0x1.900bdf28cf6e8p-26, -0x1.1b6b30fa92794p-26, 0x1.0d429adefa986p-25, 0x1.f0152b308cb86p-24,
+    -0x1.7d87c8a62b41cp-23, 0x1.40fcf2462c6f6p-25, 0x1.e2d6c805c936dp-24, -0x1.56144e3ae3be3p-25,
+    0x1.32eb7148d42dap-28, -0x1.2521850466a05p-31, -0x1.492c51000d564p-39, 0x1.197e959296e7cp-40
+};
+GS_TABLE(gs_rise_factor_c13) = {
+    0x1.1b8c3f4883904p+1, -0x1.d468e13408534p-30, -0x1.590ebde78f8eep-29, -0x1.dca9fb668d333p-29,
+    -0x1.f24304a641330p-30, 0x1.017d3372abe13p-27, 0x1.705a91985e761p-26, -0x1.2f14e57f69edcp-29,
+    -0x1.ac046fdec8f2ap-25, 0x1.661d3db3d0371p-24, -0x1.c950c6e1e6a6dp-25, 0x1.19615ec48fbe5p-26,
+    -0x1.df800f2cad25ap-30, 0x1.cf0b6fb1860cdp-34, 0x1.002896dda2812p-38, -0x1.0af43ca5a276ep-43
+};
+GS_TABLE(gs_rise_factor_c14) = {
+    -0x1.2eb254d59b061p+3, -0x1.e2f006552a5f7p-32, -0x1.ff2ab93f7e820p-32, -0x1.7eb9a8440bb69p-33,
+    0x1.7c11a4022f08ap-30, 0x1.0afe182183f5ap-28, 0x1.8c3ec939dc601p-29, -0x1.d42d87d31fcf0p-27,
+    0x1.24d75c886d897p-26, -0x1.055f7fb8e5591p-27, -0x1.5574add1fd252p-28, -0x1.9eead731f1e4dp-31,
+    0x1.318bca51f7457p-32, -0x1.068da0d3e6915p-37, -0x1.9533e06e5ff48p-40, 0x1.ef0a5557861e8p-47
+};
+GS_TABLE(gs_rise_factor_c15) = {
+    0x1.7ddd171df6e36p+4, -0x1.4deffe8e68ba5p-35, 0x1.4c9664f4bf751p-36, 0x1.d49e3ab8b8d99p-33,
+    0x1.54c99f7f0a9f2p-31, 0x1.162e61be0016ap-31, -0x1.803ab7127b46ap-30, -0x1.6c4e0b7570897p-29,
+    0x1.0d3ff44f14b96p-27, -0x1.5fb87b1b250f4p-27, 0x1.eb6324826c1d3p-28, -0x1.84f510a701fb5p-30,
+    0x1.69f1401001a17p-35, -0x1.28070ac5bf85fp-38, 0x1.d6faacf02852cp-42, -0x1.81e1b738b2999p-50
+};
+GS_TABLE(gs_rise_factor_c16) = {
+    -0x1.af43ecad7027fp+4, 0x1.304d966795d60p-36, 0x1.69df72eadbf55p-35, 0x1.846f06ebeeb8dp-34,
+    0x1.8270f06e7ba82p-34, -0x1.d239e1eea33efp-33, -0x1.8164c102bf20cp-31, 0x1.097f98b167c91p-30,
+    -0x1.67654b1daf762p-30, 0x1.64a81d1beac21p-30, -0x1.2f48c37e786e0p-31, 0x1.e9b21683fdf5ep-32,
+    -0x1.158df972b0878p-35, 0x1.06f8429ce288ep-39, -0x1.85b13c6dddd90p-44, 0x1.c6db1e44c0138p-55
+};
+
+static inline gs_v gs_rise_factor_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.4000000000000p-1));
+    const gs_index i = gs_piece(u, 4089, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_rise_factor_centre, i));
+    const gs_v q16 = gs_pick(gs_rise_factor_c16, i);
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_rise_factor_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_rise_factor_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_rise_factor_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_rise_factor_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_rise_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_rise_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_rise_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_rise_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_rise_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_rise_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_rise_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_rise_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_rise_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_rise_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_rise_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_rise_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_rise_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_rise_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_rise_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.4000000000000p-1));
+    const gs_index i = gs_piece(u, 4089, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_rise_factor_centre, i));
+    const gs_v q16 = gs_pick(gs_rise_factor_c16, i);
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_rise_factor_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_rise_factor_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_rise_factor_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_rise_factor_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_rise_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_rise_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_rise_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_rise_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_rise_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_rise_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_rise_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_rise_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_rise_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_rise_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_rise_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_rise_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_rise_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_rise_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x in [1.1830521861667747e-271, 43.9) */
+static inline gs_v gs_w0_offset_range0(gs_v x, gs_v *lo)
+{
+    const gs_v twice = gs_mul(x, gs_v_of(0x1.0000000000000p+1));
+    const gs_v p = gs_sqrt(twice);
+    const gs_v p_e0 = gs_product_rest(p, p, twice);
+    const gs_v p_twice = gs_fma(p, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v p_lo = gs_div(p_e0, p_twice);
+    gs_v f_lo;
+    const gs_v f = gs_rise_factor_near_pair(p, p_lo, &f_lo);
+    const gs_v w_h = gs_mul(p, f);
+    const gs_v w_e0 = gs_product_rest(p, f, w_h);
+    const gs_v w_e1 = gs_fma(p, f_lo, w_e0);
+    const gs_v w_e2 = gs_fma(f, p_lo, w_e1);
+    const gs_v w = gs_add(w_h, w_e2);
+    const gs_v w_lo = gs_rest(w_h, w_e2, w);
+    const gs_v r = w;
+    *lo = w_lo;
+    return r;
+}
+
+/* x in [0.0, 1.1830521861667747e-271) */
+static inline gs_v gs_w0_offset_range1(gs_v x, gs_v *lo)
+{
+    const gs_v grown = gs_mul(x, gs_v_of(0x1.0000000000000p+109));
+    const gs_v p = gs_sqrt(grown);
+    const gs_v p_e0 = gs_product_rest(p, p, grown);
+    const gs_v p_twice = gs_fma(p, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v p_lo = gs_div(p_e0, p_twice);
+    const gs_v w = gs_mul(p, gs_v_of(0x1.0000000000000p-54));
+    const gs_v w_lo = gs_mul(p_lo, gs_v_of(0x1.0000000000000p-54));
+    const gs_v r = w;
+    *lo = w_lo;
+    return r;
+}
+
+/* x in [43.9, inf] */
+static inline gs_v gs_w0_offset_range2(gs_v x, gs_v *lo)
+{
+    const gs_v r = gs_min(x, gs_v_of(0x1.0000000000000p+0));
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+static GS_RARE gs_v gs_w0_offset_outside(gs_v x, gs_v r, gs_v *lo)
+{
+    const gs_v m = x;
+    gs_v tail, rest;
+    gs_mask here;
+    here = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.0000000000000p-900));
+    tail = gs_w0_offset_range1(gs_select(here, m, gs_v_of(0x0.0p+0)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(0x1.5f33333333333p+5));
+    tail = gs_w0_offset_range2(gs_select(here, m, gs_v_of(0x1.5f33333333333p+5)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    return gs_refuse_beyond(x, gs_v_of(0x0.0p+0), gs_v_of(INFINITY), r, lo);
+}
+
+/* 1 + W0(-exp(-1 - x)): the nearest double but for a little, and the rest. */
+static inline gs_v gs_w0_offset_value(gs_v x, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_mask here = gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.5f33333333333p+5));
+    gs_v rest;
+    const gs_v r = gs_w0_offset_range0(gs_select(here, m, gs_v_of(0x1.0000000000000p-900)), &rest);
+    *lo = rest;
+    return gs_all(here) ? r : gs_w0_offset_outside(x, r, lo);
+}
+
+/* sigma/p, sigma - log(1 + sigma) = p^2/2, on [0.0, 15.0): degree 12 on each of 16 pieces. */
+GS_TABLE(gs_fall_factor_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-2, 0x1.4000000000000p-1, 0x1.c000000000000p-1,
+    0x1.4000000000000p+0, 0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1,
+    0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.6000000000000p+2, 0x1.a000000000000p+2,
+    0x1.0000000000000p+3, 0x1.4000000000000p+3, 0x1.8000000000000p+3, 0x1.c000000000000p+3
+};
+GS_TABLE(gs_fall_factor_c0) = {
+    0x1.0000000000000p+0, 0x1.20f38634e2dd1p+0, 0x1.37e3c7753443fp+0, 0x1.4f84129e4be4bp+0,
+    0x1.7418d443d751ap+0, 0x1.a6b2d77023729p+0, 0x1.db08ea12eebe4p+0, 0x1.0865f8a6c5422p+1,
+    0x1.31cbdbb34bcefp+1, 0x1.6a8b8f409101ap+1, 0x1.a49d5e7827f9dp+1, 0x1.dfaacb35592aap+1,
+    0x1.1ccce6cd644f9p+2, 0x1.59a5d650beb95p+2, 0x1.9730e797c2bf4p+2, 0x1.d537378250462p+2
+};
+GS_TABLE(gs_fall_factor_c0_lo) = {
+    0x0.0p+0, -0x1.006bdf08884f9p-54, -0x1.c90822d04aff6p-56, -0x1.f07004ae6faf6p-54,
+    -0x1.e9eeaaf976ed6p-56, 0x1.337c14dd3035fp-54, -0x1.791ceeb74823ap-58, -0x1.95f51fa8f5c2ep-54,
+    0x1.cfed501f95e50p-54, -0x1.e131bb27e8701p-53, -0x1.ef15a25fb6f20p-53, 0x1.aa8b2070ef041p-56,
+    0x1.361fcdeed5b1ep-54, 0x1.282edb4308671p-52, -0x1.e6cd0b44ae4e2p-57, -0x1.779505af2c51dp-55
+};
+GS_TABLE(gs_fall_factor_c1) = {
+    0x1.5555555555555p-2, 0x1.691f1df00490ap-2, 0x1.74b5793a69613p-2, 0x1.7f254eeb3badbp-2,
+    0x1.8ce4aaa44bc75p-2, 0x1.9c369a2840756p-2, 0x1.a8c1b0ef89e00p-2, 0x1.b31bf3e73c4b3p-2,
+    0x1.bf80562572ef1p-2, 0x1.cbd0e06cd7ee9p-2, 0x1.d4dadf0e9383cp-2, 0x1.dbae08c77a1eep-2,
+    0x1.e329c837f9adfp-2, 0x1.e9ec81f7fffedp-2, 0x1.ee7da7684fccep-2, 0x1.f1bae2c8f4df1p-2
+};
+GS_TABLE(gs_fall_factor_c1_lo) = {
+    0x1.555e0e0a1cdfbp-56, 0x1.47f6e1db569ebp-56, -0x1.83a56ac155c32p-57, 0x1.7b9eb3ed9345fp-57,
+    0x1.1190cd8de71f5p-56, -0x1.1854f3ff7bba3p-60, -0x1.b174c577fa218p-57, 0x1.ec0c5ab449376p-56,
+    -0x1.eb54e4cdbf89fp-56, -0x1.f73941b101672p-56, 0x1.7ccfb9cead3fep-57, 0x1.a7c562128d2ecp-56,
+    -0x1.2a5b28281ceebp-58, 0x1.5047ee26f663dp-56, -0x1.17d5fbbe7b6c9p-56, -0x1.fdf416da6e639p-56
+};
+GS_TABLE(gs_fall_factor_c2) = {
+    0x1.c71c71c71c71cp-6, 0x1.8670bc13ba9bep-6, 0x1.5fc46e850abfcp-6, 0x1.3cce2c8fa1b46p-6,
+    0x1.0f0b16d80967ep-6, 0x1.ba4ecef556388p-7, 0x1.6b9427d1336fcp-7, 0x1.2d6920afa8520p-7,
+    0x1.ce8c87b0390fap-8, 0x1.4e96e625bd138p-8, 0x1.f2da1fc5fbef1p-9, 0x1.7db564fd3a0cap-9,
+    0x1.0a3243e9ddc06p-9, 0x1.5e2728f9fcbfcp-10, 0x1.e6743ad8b7e6bp-11, 0x1.608c71bac6704p-11
+};
+GS_TABLE(gs_fall_factor_c3) = {
+    -0x1.e573ac901e33bp-9, -0x1.b035502a50846p-9, -0x1.88ab2305e1b36p-9, -0x1.6166656f320b5p-9,
+    -0x1.2a71b3a3c9d2ep-9, -0x1.d7c32a3627e71p-10, -0x1.740ab9cdc1a28p-10, -0x1.26661e48e19bep-10,
+    -0x1.a3a3836fc8ab9p-11, -0x1.12ea4069b7715p-11, -0x1.74897046b2fc1p-12, -0x1.0472cd221c22ap-12,
+    -0x1.40979c2650e09p-13, -0x1.6b7d2f2885e9bp-14, -0x1.baf66542e21a5p-15, -0x1.1dab0e07bcd40p-15
+};
+GS_TABLE(gs_fall_factor_c4) = {
+    0x1.e573ac8f870f7p-13, 0x1.36d0c89bde58cp-12, 0x1.3e1f231920af2p-12, 0x1.33fd935624886p-12,
+    0x1.140cb76889d9bp-12, 0x1.c05d88b9d2b38p-13, 0x1.5fda9c030dad1p-13, 0x1.104c3a10995c8p-13,
+    0x1.7124eb380daddp-14, 0x1.be5793d096fe4p-15, 0x1.15f94e5021bb5p-15, 0x1.65b2014128fedp-16,
+    0x1.87314928c2d49p-17, 0x1.80360572f896ep-18, 0x1.9bd47ceccfcffp-19, 0x1.d96a0fe89a0e4p-20
+};
+GS_TABLE(gs_fall_factor_c5) = {
+    0x1.ed284e1cd5bc2p-15, 0x1.eeb33347c2872p-17, -0x1.2b96ea12868bcp-19, -0x1.9b9acb3d83c69p-17,
+    -0x1.3d9a8e136ab43p-16, -0x1.49d0049096b8dp-16, -0x1.1b656bb940e0fp-16, -0x1.c3cc41daf6852p-17,
+    -0x1.3016699ebd8e9p-17, -0x1.5d901ce0b36d5p-18, -0x1.96bf032491d51p-19, -0x1.e66f4d558da5cp-20,
+    -0x1.dcd4f3154e852p-21, -0x1.984669d7795f6p-22, -0x1.8246953b38a2dp-23, -0x1.8c93b02c8db21p-24
+};
+GS_TABLE(gs_fall_factor_c6) = {
+    -0x1.ac6e44ff2a086p-16, -0x1.dc17bc8246f7bp-17, -0x1.251235dc91c34p-17, -0x1.48136437fd91bp-18,
+    -0x1.7c9693ccd7e27p-20, 0x1.354484eb35931p-21, 0x1.2d468dafc8b95p-20, 0x1.2a89c292619d6p-20,
+    0x1.bcb01831c7dbap-21, 0x1.013be241bb1acp-21, 0x1.1ef7fedd3a319p-22, 0x1.4384aee172349p-23,
+    0x1.1fa127b390d63p-24, 0x1.b0e165ad70879p-26, 0x1.6b0fb0387dc31p-27, 0x1.4dc027e06d4a6p-28
+};
+GS_TABLE(gs_fall_factor_c7) = {
+    0x1.48c8772d5b7f3p-18, 0x1.e5b5d59370e94p-19, 0x1.6112f27576171p-19, 0x1.e256f6205d810p-20,
+    0x1.edbd6a7759d6bp-21, 0x1.4569c1942cce4p-22, 0x1.a933694d53908p-25, -0x1.48334fda2b8d9p-25,
+    -0x1.f59e25d451fb3p-25, -0x1.53fc02bd8229fp-25, -0x1.7e1588a7e8ef8p-26, -0x1.9f70e6500ec42p-27,
+    -0x1.54b5e72f54c19p-28, -0x1.c76cb1c694866p-30, -0x1.54686cd38a944p-31, -0x1.190b7b240f876p-32
+};
+GS_TABLE(gs_fall_factor_c8) = {
+    -0x1.06445497378edp-22, -0x1.117b26f0ed2bap-21, -0x1.f1fb0139c86e7p-22, -0x1.89c1ad250ae86p-22,
+    -0x1.dfc1339058fbdp-23, -0x1.a4e9d934dd2b3p-24, -0x1.3cc0f1a813fc8p-25, -0x1.7603bd3c2e45dp-27,
+    0x1.227f6f1f329cdp-30, 0x1.673da1e4d5192p-29, 0x1.cdc19761bae05p-30, 0x1.f98a8e0f98849p-31,
+    0x1.88c466c958945p-32, 0x1.d91811ed6c06cp-34, 0x1.3d40d384c29e8p-35, 0x1.d8365c0ab769ap-37
+};
+GS_TABLE(gs_fall_factor_c9) = {
+    -0x1.7ddecbf468976p-23, -0x1.f6c7a04622276p-29, 0x1.3d17fbed1c2f4p-25, 0x1.8a3488d92f918p-25,
+    0x1.3ca3d2ca08e9ap-25, 0x1.505243d92dcd8p-26, 0x1.2c94193a99604p-27, 0x1.e0250c686bb6bp-29,
+    0x1.6cf6840c78c44p-31, -0x1.3311ad62c560fp-34, -0x1.cc02727564892p-34, -0x1.19db8bcb26dcbp-34,
+    -0x1.b34e70975452ap-36, -0x1.e2a4b5743e1c1p-38, -0x1.24ed6fba7a07ep-39, -0x1.8acc25d8b54dep-41
+};
+GS_TABLE(gs_fall_factor_c10) = {
+    0x1.b3818f04f015dp-25, 0x1.bdd95efacc0f6p-26, 0x1.20089e6ba16c9p-27, -0x1.b033f834fdd5ep-36,
+    -0x1.f38732d0ef9ffp-29, -0x1.8cfb152f50ca9p-29, -0x1.9fc42d8a68195p-30, -0x1.761d80a064bfep-31,
+    -0x1.7fb363bcf26c1p-33, -0x1.3b19f8b461d78p-36, 0x1.dd2dc295897a4p-39, 0x1.09ce5b330e6a3p-38,
+    0x1.c6b893344c9f9p-40, 0x1.e0624b1ca48abp-42, 0x1.0b0d8f4ac57dcp-43, 0x1.47c1ef2e6f6bep-45
+};
+GS_TABLE(gs_fall_factor_c11) = {
+    0x1.043410187669dp-25, -0x1.25e2d2d0de9cbp-27, -0x1.3372d6ae63b00p-28, -0x1.04ea215c37df2p-29,
+    -0x1.a8d5927c6f364p-33, 0x1.29d6967513e16p-32, 0x1.bff79fb496c46p-33, 0x1.ce260949e565dp-34,
+    0x1.12ac745026d5ap-35, 0x1.55c219e7e2bffp-38, 0x1.e1abbc3c46915p-42, -0x1.2d1b061e9e5c3p-43,
+    -0x1.afa2cd11e6eabp-44, -0x1.d289d2cab28f3p-46, -0x1.e35c93723e6dap-48, -0x1.0fc96d8bd751ep-49
+};
+GS_TABLE(gs_fall_factor_c12) = {
+    -0x1.2649c22f7549dp-25, 0x1.afd3f1e608e96p-30, 0x1.312f71a57df6dp-30, 0x1.58b7c6046e93bp-31,
+    0x1.ac32a7671f968p-33, 0x1.01a4e2c2e9425p-37, -0x1.470554245cec8p-36, -0x1.cbf0cfa810e54p-37,
+    -0x1.3d808e1480518p-38, -0x1.c93a25536a547p-41, -0x1.0baeba8e253edp-43, -0x1.27c02c6ba98c5p-47,
+    0x1.485a960ec364bp-48, 0x1.a9e21504dbc28p-50, 0x1.a779f58b9783bp-52, 0x1.b981b4a3e51a8p-54
+};
+
+static inline gs_v gs_fall_factor_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_fall_factor_centre, i));
+    const gs_v q12 = gs_pick(gs_fall_factor_c12, i);
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_fall_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_fall_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_fall_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_fall_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_fall_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_fall_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_fall_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_fall_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_fall_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_fall_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_fall_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_fall_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_fall_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_fall_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_fall_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_fall_factor_centre, i));
+    const gs_v q12 = gs_pick(gs_fall_factor_c12, i);
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_fall_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_fall_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_fall_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_fall_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_fall_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_fall_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_fall_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_fall_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_fall_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_fall_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_fall_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_fall_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_fall_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_fall_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* log(1 + sigma), sigma - log(1 + sigma) = e^y, on [4.0, 64.0): degree 13 on each of 16 pieces. */
+GS_TABLE(gs_fall_log_centre) = {
+    0x1.2000000000000p+2, 0x1.6000000000000p+2, 0x1.a000000000000p+2, 0x1.e000000000000p+2,
+    0x1.2000000000000p+3, 0x1.6000000000000p+3, 0x1.a000000000000p+3, 0x1.e000000000000p+3,
+    0x1.2000000000000p+4, 0x1.6000000000000p+4, 0x1.a000000000000p+4, 0x1.e000000000000p+4,
+    0x1.2000000000000p+5, 0x1.6000000000000p+5, 0x1.a000000000000p+5, 0x1.e000000000000p+5
+};
+GS_TABLE(gs_fall_log_c0) = {
+    0x1.23d5f0b476ba0p+2, 0x1.61af42e450483p+2, 0x1.a0b7fb7a1c6c9p+2, 0x1.e04ce2f6c4cdbp+2,
+    0x1.200a1ad0796e5p+3, 0x1.6001a446e7485p+3, 0x1.a000425cd7550p+3, 0x1.e0000a43ace05p+3,
+    0x1.2000004dad537p+4, 0x1.60000001b8e39p+4, 0x1.a0000000097acp+4, 0x1.e000000000331p+4,
+    0x1.2000000000001p+5, 0x1.6000000000000p+5, 0x1.a000000000000p+5, 0x1.e000000000000p+5
+};
+GS_TABLE(gs_fall_log_c0_lo) = {
+    0x1.abf55be5ed0abp-52, 0x1.3b0159dac1e37p-52, 0x1.efc258e4ab3d0p-52, 0x1.b42b4885f6966p-52,
+    0x1.8bc768b08cc55p-52, 0x1.b30060005ccc6p-54, -0x1.457afb004d305p-52, 0x1.f6a5a31827dc3p-52,
+    0x1.21827067e19cdp-51, -0x1.bac18b8ba68e6p-50, 0x1.6f390a4876857p-51, -0x1.eb21b3cb82e38p-50,
+    0x1.a9a9507c4a50dp-50, 0x1.025daa74fea3cp-58, 0x1.a21f2258699c6p-70, 0x1.4a9f06abbc6bep-81
+};
+GS_TABLE(gs_fall_log_c1) = {
+    0x1.e75080a2de1c0p-1, 0x1.f4b124950c965p-1, 0x1.fb095804c3a61p-1, 0x1.fde2345fe44c1p-1,
+    0x1.ff6e8fbd063c7p-1, 0x1.ffe7ec7172895p-1, 0x1.fffc260dbd46cp-1, 0x1.ffff6608f441ap-1,
+    0x1.fffff6cd28b8ep-1, 0x1.ffffffcb48f7fp-1, 0x1.fffffffedbe3dp-1, 0x1.fffffffff9d3ap-1,
+    0x1.fffffffffffb5p-1, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0
+};
+GS_TABLE(gs_fall_log_c1_lo) = {
+    -0x1.31e6f452fe276p-55, -0x1.66bb565f5b90bp-55, 0x1.c589e87bd8808p-57, 0x1.bae38c70af569p-55,
+    -0x1.f609aefaae1a7p-56, -0x1.43dc9a79426e3p-55, 0x1.99f0fb6411e43p-58, 0x1.05c9f838fe16bp-55,
+    -0x1.fbe9e3ae052f8p-55, 0x1.eecb4d71189f4p-55, -0x1.3d33aaeb4a61cp-56, 0x1.a92fcf5e02f68p-56,
+    -0x1.b38575767cdd2p-56, -0x1.f93fa9c561e68p-59, -0x1.9a3b7e7646ab0p-70, -0x1.4533790e86b9ap-81
+};
+GS_TABLE(gs_fall_log_c2) = {
+    0x1.2975995a86fc8p-6, 0x1.233f28aeb6a73p-7, 0x1.0abd1d3c5c517p-8, 0x1.d3f50e7d1a4b3p-10,
+    0x1.024f8b1f3891cp-11, 0x1.5e2513e633394p-14, 0x1.c70a3ca8e1c6fp-17, 0x1.1f6670c660b3bp-19,
+    0x1.160081eecc288p-23, 0x1.928cf75a2cfdfp-29, 0x1.18e009236e107p-34, 0x1.7debbb024a907p-40,
+    0x1.247e18e2048efp-48, 0x1.edc382c725d45p-60, 0x1.92576f3170db5p-71, 0x1.3fc79258db3aep-82
+};
+GS_TABLE(gs_fall_log_c3) = {
+    -0x1.09b86c60f642ap-8, -0x1.243ccb2e1a30bp-9, -0x1.1e88e928228bfp-10, -0x1.062c60c43c88fp-11,
+    -0x1.2cc927e191833p-13, -0x1.a40939f1a6c7fp-16, -0x1.1610a9f7d705dp-18, -0x1.63d36420d6e2ap-21,
+    -0x1.5cdd7426fb698p-25, -0x1.ff2ce873742c6p-31, -0x1.67852a6c3fcd6p-36, -0x1.ebab0e30b6ac8p-42,
+    -0x1.7ad941c14c5a8p-50, -0x1.4185895ebe481p-61, -0x1.06f821387a924p-72, -0x1.a325ccf18242dp-84
+};
+GS_TABLE(gs_fall_log_c4) = {
+    0x1.1375ba73d6239p-11, 0x1.84cbf96626457p-12, 0x1.af90b2bb33e8cp-13, 0x1.a70031eb69977p-14,
+    0x1.00d03acb83be0p-15, 0x1.751e36a02557bp-18, 0x1.f984b1aaafd6ap-21, 0x1.4872ed08565cfp-23,
+    0x1.470f872522732p-27, 0x1.e59ddcefe6bf0p-33, 0x1.588a495e7ff6dp-38, 0x1.da1bcecc2e9fcp-44,
+    0x1.6fb947dbf038ep-52, 0x1.39e201326eb98p-63, 0x1.01b962aac99d9p-74, 0x1.9bf1d70e652a4p-86
+};
+GS_TABLE(gs_fall_log_c5) = {
+    -0x1.13b90697217f0p-16, -0x1.34cdbb2c7e61bp-15, -0x1.ca1147574e845p-16, -0x1.fe9c063dc0985p-17,
+    -0x1.53a6cb04a8d87p-18, -0x1.04d4449c9fde1p-20, -0x1.6be4c06a70a0dp-23, -0x1.e1b55fd5dc510p-26,
+    -0x1.e868d8c07b48cp-30, -0x1.700bd911d4003p-35, -0x1.07a5ec0ff9ccep-40, -0x1.6d3d3e054c746p-46,
+    -0x1.1d415b38a6019p-54, -0x1.e9f23f2cf9efbp-66, -0x1.93eda1d5b2d2dp-77, -0x1.43c2fc292f3dap-88
+};
+GS_TABLE(gs_fall_log_c6) = {
+    -0x1.1842fa0e32ea5p-17, 0x1.ea0fd0ec8edcep-23, 0x1.26bec7da357fbp-19, 0x1.c427168b90631p-20,
+    0x1.63fd609dd7820p-21, 0x1.2940cc6a87240p-23, 0x1.af1694a20fbd3p-26, 0x1.23ec92496d9ecp-28,
+    0x1.2e58e2dcea4e1p-32, 0x1.cf770b6355ce1p-38, 0x1.4f8d38132e869p-43, 0x1.d4412da354406p-49,
+    0x1.703dbded1519dp-57, 0x1.3e4426765c860p-68, 0x1.0780c0a2bf164p-79, 0x1.a7affb9482a4fp-91
+};
+GS_TABLE(gs_fall_log_c7) = {
+    0x1.d828c70fb5cadp-20, 0x1.633ccbc80c000p-21, 0x1.3d7e373d4a617p-26, -0x1.ed3f01bc36664p-24,
+    -0x1.24e2530a20685p-24, -0x1.1967e1644b954p-26, -0x1.aeb041a79d107p-29, -0x1.2c38c7c5ad498p-31,
+    -0x1.3ef508c08bc03p-35, -0x1.f2846c1d47e94p-41, -0x1.6d3a019518f7fp-46, -0x1.00df10150e50fp-51,
+    -0x1.9765d749c826fp-60, -0x1.62863e0d4518ep-71, -0x1.26d76a2607770p-82, -0x1.db94b839e0698p-94
+};
+GS_TABLE(gs_fall_log_c8) = {
+    -0x1.8f1a428755432p-24, -0x1.0e835b59ad1f8p-23, -0x1.543177d7afd00p-25, -0x1.c9e1c76f45facp-30,
+    0x1.5cac5a3bdd08ap-28, 0x1.bc47f85a4ebf3p-30, 0x1.70708ecbcfee2p-32, 0x1.0ac8f27945355p-34,
+    0x1.2462be2d23248p-38, 0x1.d3636e972f489p-44, 0x1.5afd56ab91104p-49, 0x1.ec5fc7a61d152p-55,
+    0x1.8c4505ec1df71p-63, 0x1.5b7a4cfa0980fp-74, 0x1.22695c61e1da5p-85, 0x1.d60f291991828p-97
+};
+GS_TABLE(gs_fall_log_c9) = {
+    -0x1.db09ce99320bdp-26, 0x1.4be4be0e5489ap-27, 0x1.eb718bef1eb66p-28, 0x1.0537fae6c2b77p-29,
+    -0x1.639161f7b84b2p-33, -0x1.1ed2d8352bde9p-33, -0x1.0fc314f482753p-35, -0x1.9ebdd30e45e5ap-38,
+    -0x1.d883f6ecd8b71p-42, -0x1.83bfb14ad9331p-47, -0x1.243179eb1322dp-52, -0x1.a29fbb30aa35dp-58,
+    -0x1.533f60bcf54bcp-66, -0x1.2bbb779555210p-77, -0x1.f77167f908a23p-89, -0x1.98ce97a815b6bp-100
+};
+GS_TABLE(gs_fall_log_c10) = {
+    0x1.dab2231ea157ep-28, 0x1.d1b459e2a9f9dp-31, -0x1.734dadc1592d8p-31, -0x1.69cd7036c3c8fp-32,
+    -0x1.c6bada47f852ap-36, 0x1.1743d45ef94d7p-37, 0x1.5888732b69a94p-39, 0x1.1c0011af30d9cp-41,
+    0x1.538e9cdd960d8p-45, 0x1.1f5e654bbb202p-50, 0x1.b864825748366p-56, 0x1.3ecc3f6fd7e51p-61,
+    0x1.ee89ec54b0e18p-70, 0x1.b75d922223933p-81, 0x1.7249665b01cb0p-92, 0x1.2d692abf98e5ap-103
+};
+GS_TABLE(gs_fall_log_c11) = {
+    -0x1.dcdfc76b9f247p-32, -0x1.8f640a337e8fbp-32, 0x1.1994d9b58c7d5p-38, 0x1.2de3a52dc5ac7p-35,
+    0x1.b4fe10cd54525p-38, -0x1.03fb1d0a94a11p-42, -0x1.6f19187d6e975p-43, -0x1.57418d7725b57p-45,
+    -0x1.b73c14ce90651p-49, -0x1.8219f7d20d647p-54, -0x1.2daa1b1345d90p-59, -0x1.b9f579f7d42eap-65,
+    -0x1.5fc65d51374c3p-73, -0x1.3b7848ff18ba4p-84, -0x1.0b6ecd0fd7dc2p-95, -0x1.b520803cf3226p-107
+};
+GS_TABLE(gs_fall_log_c12) = {
+    -0x1.e980c260521fcp-34, 0x1.ab5157c4ace42p-35, 0x1.90ffd32a59c84p-37, -0x1.cf3c31fcb672dp-40,
+    -0x1.cd154f3f1f969p-41, -0x1.e75ab216b38a6p-46, 0x1.2eb2cd9e86b7ap-47, 0x1.6ef917ad105adp-49,
+    0x1.0ecbf48b6f3eap-52, 0x1.f73dcc41c11cbp-58, 0x1.93b9133b7e972p-63, 0x1.2c5f17c03172ap-68,
+    0x1.35be855a39fb4p-76, 0x1.1a93c6d352115p-87, 0x1.e4268e99f8f3ap-99, 0x1.8e7e284c2acf1p-110
+};
+GS_TABLE(gs_fall_log_c13) = {
+    0x1.04024ce4fbf7ap-35, -0x1.266ad033d2910p-40, -0x1.3a65e4873695fp-39, -0x1.a8a6f2525cd79p-43,
+    0x1.4baf331105315p-44, 0x1.9f8e2a05a7dbep-48, -0x1.02044bd5226a5p-52, -0x1.4b8d8ef6c134fp-53,
+    -0x1.1a78e6bda0c6dp-56, -0x1.16dbdfafa7abcp-61, -0x1.cb67710000394p-67, -0x1.5aeca160cf2bbp-72,
+    -0x1.608fd24236d63p-80, -0x1.44c3a259efa0dp-91, -0x1.17d5117d6cd20p-102, -0x1.ce6d993e831d7p-114
+};
+
+static inline gs_v gs_fall_log_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 4100, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_fall_log_centre, i));
+    const gs_v q13 = gs_pick(gs_fall_log_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_fall_log_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_fall_log_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_fall_log_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_fall_log_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_fall_log_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_fall_log_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_fall_log_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_fall_log_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_fall_log_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_fall_log_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_fall_log_c2, i));
+    const gs_v c1 = gs_pick(gs_fall_log_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_fall_log_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_fall_log_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_fall_log_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_fall_log_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 4100, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_fall_log_centre, i));
+    const gs_v q13 = gs_pick(gs_fall_log_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_fall_log_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_fall_log_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_fall_log_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_fall_log_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_fall_log_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_fall_log_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_fall_log_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_fall_log_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_fall_log_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_fall_log_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_fall_log_c2, i));
+    const gs_v c1 = gs_pick(gs_fall_log_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_fall_log_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_fall_log_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_fall_log_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x in [1.1830521861667747e-271, 112.0) */
+static inline gs_v gs_wm1_offset_range0(gs_v x, gs_v *lo)
+{
+    const gs_v twice = gs_mul(x, gs_v_of(0x1.0000000000000p+1));
+    const gs_v p = gs_sqrt(twice);
+    const gs_v p_e0 = gs_product_rest(p, p, twice);
+    const gs_v p_twice = gs_fma(p, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v p_lo = gs_div(p_e0, p_twice);
+    gs_v f_lo;
+    const gs_v f = gs_fall_factor_near_pair(p, p_lo, &f_lo);
+    const gs_v w_h = gs_mul(p, f);
+    const gs_v w_e0 = gs_product_rest(p, f, w_h);
+    const gs_v w_e1 = gs_fma(p, f_lo, w_e0);
+    const gs_v w_e2 = gs_fma(f, p_lo, w_e1);
+    const gs_v w = gs_add(w_h, w_e2);
+    const gs_v w_lo = gs_rest(w_h, w_e2, w);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
+    *lo = gs_sub(gs_v_of(0x0.0p+0), w_lo);
+    return r;
+}
+
+/* x in [0.0, 1.1830521861667747e-271) */
+static inline gs_v gs_wm1_offset_range1(gs_v x, gs_v *lo)
+{
+    const gs_v grown = gs_mul(x, gs_v_of(0x1.0000000000000p+109));
+    const gs_v p = gs_sqrt(grown);
+    const gs_v p_e0 = gs_product_rest(p, p, grown);
+    const gs_v p_twice = gs_fma(p, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v p_lo = gs_div(p_e0, p_twice);
+    const gs_v w = gs_mul(p, gs_v_of(0x1.0000000000000p-54));
+    const gs_v w_lo = gs_mul(p_lo, gs_v_of(0x1.0000000000000p-54));
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
+    *lo = gs_sub(gs_v_of(0x0.0p+0), w_lo);
+    return r;
+}
+
+/* x in [112.0, inf] */
+static inline gs_v gs_wm1_offset_range2(gs_v x, gs_v *lo)
+{
+    const gs_v finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_k0 = gs_exponent(finite);
+    const gs_v y_k = gs_sub(y_k0, gs_v_of(0x0.0p+0));
+    const gs_v y_m = gs_mantissa(finite);
+    gs_v y_part_lo;
+    const gs_v y_part = gs_log_near(y_m, &y_part_lo);
+    const gs_v y_whole = gs_mul(y_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v y_s = gs_add(y_whole, y_part);
+    const gs_v y_rest = gs_sum_rest(y_whole, y_part, y_s);
+    const gs_v y_off = gs_fma(y_k, gs_v_of(0x1.ef35793c76730p-45), y_part_lo);
+    const gs_v y_e = gs_add(y_rest, y_off);
+    const gs_v y = gs_add(y_s, y_e);
+    const gs_v y_lo = gs_rest(y_s, y_e, y);
+    const gs_v bounded = gs_min(y, gs_v_of(0x1.e000000000000p+5));
+    const gs_v beyond = gs_sub(y, bounded);
+    gs_v f_lo;
+    const gs_v f = gs_fall_log_near_pair(bounded, y_lo, &f_lo);
+    const gs_v log = gs_add(f, beyond);
+    const gs_v w_s = gs_add(finite, log);
+    const gs_v w_rest = gs_rest(finite, log, w_s);
+    const gs_v w_off = gs_add(w_rest, f_lo);
+    const gs_v w = gs_add(w_s, w_off);
+    const gs_v w_lo = gs_rest(w_s, w_off, w);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
+    *lo = gs_sub(gs_v_of(0x0.0p+0), w_lo);
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_wm1_offset_range3(gs_v x, gs_v *lo)
+{
+    const gs_v r = gs_mul(x, gs_v_of(-0x1.0000000000000p+0));
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+static GS_RARE gs_v gs_wm1_offset_outside(gs_v x, gs_v r, gs_v *lo)
+{
+    const gs_v m = x;
+    gs_v tail, rest;
+    gs_mask here;
+    here = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.0000000000000p-900));
+    tail = gs_wm1_offset_range1(gs_select(here, m, gs_v_of(0x0.0p+0)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(0x1.c000000000000p+6));
+    tail = gs_wm1_offset_range2(gs_select(here, m, gs_v_of(0x1.c000000000000p+6)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(INFINITY));
+    tail = gs_wm1_offset_range3(gs_select(here, m, gs_v_of(INFINITY)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    return gs_refuse_beyond(x, gs_v_of(0x0.0p+0), gs_v_of(INFINITY), r, lo);
+}
+
+/* 1 + W-1(-exp(-1 - x)): the nearest double but for a little, and the rest. */
+static inline gs_v gs_wm1_offset_value(gs_v x, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_mask here = gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.c000000000000p+6));
+    gs_v rest;
+    const gs_v r = gs_wm1_offset_range0(gs_select(here, m, gs_v_of(0x1.0000000000000p-900)), &rest);
+    *lo = rest;
+    return gs_all(here) ? r : gs_wm1_offset_outside(x, r, lo);
+}
+
+/* W0(x)/x, x = q^2 - 1/e, on [0.0, 4.6875): degree 15 on each of 16 pieces. */
+GS_TABLE(gs_w0_ratio_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-4, 0x1.4000000000000p-3, 0x1.0000000000000p-2,
+    0x1.8000000000000p-2, 0x1.0000000000000p-1, 0x1.4000000000000p-1, 0x1.a000000000000p-1,
+    0x1.1000000000000p+0, 0x1.5000000000000p+0, 0x1.9000000000000p+0, 0x1.f000000000000p+0,
+    0x1.3800000000000p+1, 0x1.7800000000000p+1, 0x1.b800000000000p+1, 0x1.0c00000000000p+2
+};
+GS_TABLE(gs_w0_ratio_c0) = {
+    0x1.5bf0a8b145769p+1, 0x1.1bb44bed12b1cp+1, 0x1.f62404b57cabcp+0, 0x1.a90e896463e7bp+0,
+    0x1.5cf549b1dfe2fp+0, 0x1.24f932865a6d9p+0, 0x1.f4bc7904f898bp-1, 0x1.96114e7aea309p-1,
+    0x1.3ec767d436238p-1, 0x1.02696c2c07b44p-1, 0x1.ad4d9fbca5dadp-2, 0x1.508759cffb06dp-2,
+    0x1.fe7c1b4cb672cp-3, 0x1.9303e90288569p-3, 0x1.47c649e19438cp-3, 0x1.f53806a793339p-4
+};
+GS_TABLE(gs_w0_ratio_c0_lo) = {
+    0x1.4d57ee2b1013ap-53, -0x1.b08565c93d05ap-53, -0x1.a69d2e44a4d16p-55, -0x1.1c7fb58f41dc2p-55,
+    0x1.1da5382ae3824p-55, -0x1.70988f781598ep-54, -0x1.d00076eb16a53p-56, -0x1.d05528a7093a0p-56,
+    0x1.a7cbda522c695p-55, 0x1.c101f3d3a978ap-57, 0x1.2df1dd7ab35cfp-57, 0x1.ae12005f0d910p-56,
+    0x1.e7c705939c786p-59, -0x1.c68cc42fa55b6p-57, 0x1.65b8922859248p-57, 0x1.7cc9a1f3464d1p-58
+};
+GS_TABLE(gs_w0_ratio_c1) = {
+    -0x1.95a2dd55ad4cap+2, -0x1.20d698316a93ap+2, -0x1.d7a5ce2d8e686p+1, -0x1.65ebbaa02624dp+1,
+    -0x1.026eb5694b39fp+1, -0x1.8392709edc1eep+0, -0x1.2b6a24b88f5fep+0, -0x1.a8da3ae672f38p-1,
+    -0x1.1e2b1f272b996p-1, -0x1.96a8e86643ff0p-2, -0x1.2ce201760c5ddp-2, -0x1.95af9cfced442p-3,
+    -0x1.03a01b6c31899p-3, -0x1.62e848592e328p-4, -0x1.fd593a9599942p-5, -0x1.4b51b8e8214e6p-5
+};
+GS_TABLE(gs_w0_ratio_c1_lo) = {
+    0x1.7ad1b86001bc0p-52, 0x1.bfbcac3ec2d5fp-52, 0x1.e1b8de357968fp-53, 0x1.62e50971b7133p-53,
+    0x1.c63f52c628485p-53, 0x1.9f718b9052e0ap-58, -0x1.dd60cf9bfa939p-55, 0x1.20ca1d0d6d2a7p-56,
+    -0x1.5418ff9bd6744p-58, 0x1.6823b20372772p-56, -0x1.d6781afd8e71ap-56, -0x1.a4dccad3be6ccp-57,
+    -0x1.9c032a5d476a0p-57, -0x1.0aba893ad4585p-61, -0x1.b400f12d24577p-60, 0x1.2d4fb5a204bf6p-64
+};
+GS_TABLE(gs_w0_ratio_c2) = {
+    0x1.8a153ef5c0e11p+3, 0x1.e876e65dbbac5p+2, 0x1.6f3586cb5b8cbp+2, 0x1.f253fcbec39c0p+1,
+    0x1.3b7dedfea7103p+1, 0x1.a57a797cc4c71p+0, 0x1.25ad18a183094p+0, 0x1.6b7cccb1263fdp-1,
+    0x1.a2c1c61cdf37cp-2, 0x1.04140bbda4dcep-2, 0x1.56003f306198fp-3, 0x1.8b67e34b303bcp-4,
+    0x1.a9abc769b1be3p-5, 0x1.f67ac1d725c46p-6, 0x1.3d71ac25db56dp-6, 0x1.5e698328087f3p-7
+};
+GS_TABLE(gs_w0_ratio_c3) = {
+    -0x1.67e3273ef5217p+4, -0x1.83a212ecd9012p+3, -0x1.0c10adf4f4c46p+3, -0x1.44db92f83bf8dp+2,
+    -0x1.682266b92bdbap+1, -0x1.ac06fd25f6232p+0, -0x1.0caeec4f318cep+0, -0x1.21a5593a52e5ap-1,
+    -0x1.1ce254e7e8f51p-2, -0x1.34e0db4944717p-3, -0x1.6880b311d04fdp-4, -0x1.64d74df86d626p-5,
+    -0x1.42908534caf59p-6, -0x1.485994d880feap-7, -0x1.6cd43d33280a8p-8, -0x1.553619f465af0p-9
+};
+GS_TABLE(gs_w0_ratio_c4) = {
+    0x1.3efcf2fcc14bdp+5, 0x1.2a4d05c280839p+4, 0x1.7b53ade93bd93p+3, 0x1.9a3571c07b9a2p+2,
+    0x1.8dcf9c3b6052fp+1, 0x1.a451bfe3ddbc7p+0, 0x1.db14251708b3ap-1, 0x1.bdac8bf228c58p-2,
+    0x1.75dd3e9a1ffd3p-3, 0x1.6184cc2b72554p-4, 0x1.6df1407ba37bep-5, 0x1.35d40d141f113p-6,
+    0x1.d5d85ab6f694fp-8, 0x1.9c142c1f4be41p-9, 0x1.9256e5fda790ap-10, 0x1.3e88aed4b239bp-11
+};
+GS_TABLE(gs_w0_ratio_c5) = {
+    -0x1.15ea466027cf0p+6, -0x1.c308f34fe0f9dp+4, -0x1.07936a87cc8e5p+4, -0x1.fc797fd9043aep+2,
+    -0x1.af2164dd3e13bp+1, -0x1.94c345e4cdd6cp+0, -0x1.9bb5130bbe2b6p-1, -0x1.4fe84bfd33158p-2,
+    -0x1.e05a604453cb3p-4, -0x1.8be91e00a20bap-5, -0x1.6b4cfccc1c994p-6, -0x1.06eeeada19561p-7,
+    -0x1.4e39e0ca98d6dp-9, -0x1.f8d63ef5401f2p-11, -0x1.b0ec3c8184795p-12, -0x1.21f52920bbe80p-13
+};
+GS_TABLE(gs_w0_ratio_c6) = {
+    0x1.def2dfee44118p+6, 0x1.511eff2995a61p+5, 0x1.6a0f84f2be77dp+4, 0x1.37678c3d8b2c4p+3,
+    0x1.cd88bcd68c687p+1, 0x1.80e5864ceea0ap+0, 0x1.6036d5a8f76fap-1, 0x1.f3a9d27334a81p-3,
+    0x1.305fb6f122ec6p-4, 0x1.b529c29df049fp-6, 0x1.637ec32c3f0aep-7, 0x1.b7aa4b95f29a4p-9,
+    0x1.d43c42b56f7aep-11, 0x1.30623384e9b3dp-12, 0x1.ca5b924bd3987p-14, 0x1.039843f099d90p-15
+};
+GS_TABLE(gs_w0_ratio_c7) = {
+    -0x1.9993036e13da9p+7, -0x1.f4017bd165758p+5, -0x1.ed5e8654613cep+4, -0x1.7a4ba950a057dp+3,
+    -0x1.e9e6309c6e0f8p+1, -0x1.6ad28671ed3c3p+0, -0x1.2aa270523d1ccp-1, -0x1.70362c628812cp-3,
+    -0x1.7e0fe411aa13ap-5, -0x1.ddfcb090d12b5p-7, -0x1.585d5d2aa58e3p-8, -0x1.6bc8e20377d8ap-10,
+    -0x1.447861f575809p-12, -0x1.6aff83c5d2c32p-14, -0x1.dfce992d85ee3p-16, -0x1.cb6b547e3452ap-18
+};
+GS_TABLE(gs_w0_ratio_c8) = {
+    0x1.5c584eccd10cfp+8, 0x1.70ae2c790d298p+6, 0x1.4e3190282d382p+5, 0x1.c8cea669ac46bp+3,
+    0x1.02662574bb68fp+2, 0x1.53d8135f057f3p+0, 0x1.f71e49b532a2ap-2, 0x1.0d85478508545p-3,
+    0x1.dc3de2b39cb48p-6, 0x1.036fe519ff6ffp-7, 0x1.4b20645a8a2ccp-9, 0x1.2ab59191de8dap-11,
+    0x1.be24e38bc9a0bp-14, 0x1.ad61c3f5a0e80p-16, 0x1.f2137ea6ce365p-18, 0x1.9309a57c4a8a2p-20
+};
+GS_TABLE(gs_w0_ratio_c9) = {
+    -0x1.279f81ecdae81p+9, -0x1.0eac82025025cp+7, -0x1.c2c04fa9f592ap+5, -0x1.128ece829a829p+4,
+    -0x1.0f4ff40793749p+2, -0x1.3cca426358474p+0, -0x1.a5b8243ad8b04p-2, -0x1.888d892dca2dfp-4,
+    -0x1.273fd61c544ccp-6, -0x1.1817e50c4560ep-8, -0x1.3c9d039120b9ap-10, -0x1.e7b48fe0dc4c6p-13,
+    -0x1.30e048f29dd89p-15, -0x1.f8c0d0af2bb45p-18, -0x1.00dfb39f23e8cp-19, -0x1.5f3ff6d2e238bp-22
+};
+GS_TABLE(gs_w0_ratio_c10) = {
+    0x1.02bf13cff1a75p+10, 0x1.8c1a37d7729c9p+7, 0x1.2eef80237882fp+6, 0x1.48df5d416337fp+4,
+    0x1.1bd4bfa85fbdap+2, 0x1.2630d863dc2e4p+0, 0x1.6020bd27aee04p-2, 0x1.1cbc688296e90p-4,
+    0x1.6c91f1580fc5cp-7, 0x1.2d1a68b5fb5d8p-9, 0x1.2d6853c0c8958p-11, 0x1.8c55298f2d97ap-14,
+    0x1.9eb602176c5d4p-17, 0x1.273b06f2c073cp-19, 0x1.07a0ff9fa2e46p-21, 0x1.308898229803ep-24
+};
+GS_TABLE(gs_w0_ratio_c11) = {
+    -0x1.38de33916a06bp+11, -0x1.210bda199befdp+8, -0x1.96113a56a9a27p+6, -0x1.88d1727cc0838p+4,
+    -0x1.280f5f1ba815ep+2, -0x1.1061e7b9e244dp+0, -0x1.251d14e8ce28ap-2, -0x1.9bbe985bb9ea4p-5,
+    -0x1.c0ac9abdb3671p-8, -0x1.4294b079dd912p-10, -0x1.1debfc49a4143p-12, -0x1.40e6cf06ec79ep-15,
+    -0x1.18fc7599723d3p-18, -0x1.5801a981b6bfap-21, -0x1.0d7885e3d6a26p-23, -0x1.06ed366dfdaecp-26
+};
+GS_TABLE(gs_w0_ratio_c12) = {
+    0x1.cc4b0c76bab77p+13, 0x1.a4e91b033b11dp+8, 0x1.0f89f04ed26c3p+7, 0x1.d40555f9e82bcp+4,
+    0x1.340b4078e25cfp+2, 0x1.f71b919aee364p-1, 0x1.e6ba5f644299dp-3, 0x1.28cc66497f403p-5,
+    0x1.1347d8bba1374p-8, 0x1.589441755d11bp-11, 0x1.0e6df84f21bf7p-13, 0x1.02df7e5a024abp-16,
+    0x1.7b73eece6af0dp-20, 0x1.8f7b0759cdb7dp-23, 0x1.1280a1a14aabap-25, 0x1.c40d465d9ea7cp-29
+};
+GS_TABLE(gs_w0_ratio_c13) = {
+    -0x1.c5d6b00be4724p+16, -0x1.31ea612a91a39p+9, -0x1.6a7d41e9d369ap+7, -0x1.1655351ebc92bp+5,
+    -0x1.3fea8ccba2b90p+2, -0x1.cfb91e0f84a54p-1, -0x1.934a7b2c3d751p-3, -0x1.ab2511110ab2ep-6,
+    -0x1.511c13f172b5dp-9, -0x1.6f44ffb2ca5f1p-12, -0x1.fe5eb2a9576dep-15, -0x1.a0eb65fe730a8p-18,
+    -0x1.ff455852e2a9fp-22, -0x1.cebe27b45cbfep-25, -0x1.16e340b45b0efp-27, -0x1.83d88087d8ff1p-31
+};
+GS_TABLE(gs_w0_ratio_c14) = {
+    0x1.2d871d50aae07p+19, 0x1.bfa99335ab043p+9, 0x1.e682030ca077dp+7, 0x1.51eeae7f05874p+5,
+    0x1.5155d58cf4312p+2, 0x1.b0626e5fc703ep-1, 0x1.512846d1e88d1p-3, 0x1.3cfb731fa94d6p-6,
+    0x1.a5d828975b0e5p-10, 0x1.8daf403f78459p-13, 0x1.e758fdfd13fa2p-16, 0x1.5d0949ac6b29fp-19,
+    0x1.619f07146685cp-23, 0x1.1112c8d4d75a8p-26, 0x1.1f44d612db7b2p-29, 0x1.5bc7b88b011cfp-33
+};
+GS_TABLE(gs_w0_ratio_c15) = {
+    -0x1.6bc61a78b91b3p+20, -0x1.446da7f5a5f82p+10, -0x1.43c8a28f0574fp+8, -0x1.90b81d83b6edap+5,
+    -0x1.5d3e3076600e7p+2, -0x1.8d4251ba61f09p-1, -0x1.1671743be7cecp-3, -0x1.c69e02d1b67c4p-7,
+    -0x1.015fe1c9cc620p-10, -0x1.a6509244f1685p-14, -0x1.ca23ec9f62d05p-17, -0x1.17f0f54d20791p-20,
+    -0x1.da7faf19c7e39p-25, -0x1.3af93355c6c2ap-28, -0x1.2295e051e4d21p-31, -0x1.2900b410178b1p-35
+};
+
+static inline gs_v gs_w0_ratio_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.4000000000000p-2));
+    const gs_index i = gs_piece(u, 4085, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_w0_ratio_centre, i));
+    const gs_v q15 = gs_pick(gs_w0_ratio_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_w0_ratio_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_w0_ratio_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_w0_ratio_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_w0_ratio_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_w0_ratio_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_w0_ratio_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_w0_ratio_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_w0_ratio_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_w0_ratio_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_w0_ratio_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_w0_ratio_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_w0_ratio_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_w0_ratio_c2, i));
+    const gs_v c1 = gs_pick(gs_w0_ratio_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_w0_ratio_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_w0_ratio_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_w0_ratio_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_w0_ratio_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.4000000000000p-2));
+    const gs_index i = gs_piece(u, 4085, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_w0_ratio_centre, i));
+    const gs_v q15 = gs_pick(gs_w0_ratio_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_w0_ratio_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_w0_ratio_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_w0_ratio_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_w0_ratio_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_w0_ratio_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_w0_ratio_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_w0_ratio_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_w0_ratio_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_w0_ratio_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_w0_ratio_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_w0_ratio_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_w0_ratio_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_w0_ratio_c2, i));
+    const gs_v c1 = gs_pick(gs_w0_ratio_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_w0_ratio_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_w0_ratio_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_w0_ratio_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x in [-0.3678794411714423, 21.5) */
+static inline gs_v gs_w0_range0(gs_v x, gs_v *lo)
+{
+    const gs_v sum = gs_add(x, gs_v_of(0x1.78b56362cef38p-2));
+    const gs_v sum_rest = gs_sum_rest(x, gs_v_of(0x1.78b56362cef38p-2), sum);
+    const gs_v sum_off = gs_add(sum_rest, gs_v_of(-0x1.ca8a4270fadf5p-57));
+    const gs_v delta = gs_add(sum, sum_off);
+    const gs_v delta_lo = gs_rest(sum, sum_off, delta);
+    const gs_v q = gs_sqrt(delta);
+    const gs_v q_e0 = gs_product_rest(q, q, delta);
+    const gs_v q_e1 = gs_sub(q_e0, delta_lo);
+    const gs_v q_twice = gs_fma(q, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v q_lo = gs_div(q_e1, q_twice);
+    gs_v f_lo;
+    const gs_v f = gs_w0_ratio_near_pair(q, q_lo, &f_lo);
+    const gs_v w_h = gs_mul(x, f);
+    const gs_v w_e0 = gs_product_rest(x, f, w_h);
+    const gs_v w_e1 = gs_fma(x, f_lo, w_e0);
+    const gs_v w = gs_add(w_h, w_e1);
+    const gs_v w_lo = gs_rest(w_h, w_e1, w);
+    const gs_v size = gs_abs(w);
+    const gs_v r = gs_flip(size, x);
+    *lo = w_lo;
+    return r;
+}
+
+/* x in [21.5, inf] */
+static inline gs_v gs_w0_range1(gs_v x, gs_v *lo)
+{
+    const gs_v y_k0 = gs_exponent(x);
+    const gs_v y_k = gs_sub(y_k0, gs_v_of(0x0.0p+0));
+    const gs_v y_m = gs_mantissa(x);
+    gs_v y_part_lo;
+    const gs_v y_part = gs_log_near(y_m, &y_part_lo);
+    const gs_v y_whole = gs_mul(y_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v y_s = gs_add(y_whole, y_part);
+    const gs_v y_rest = gs_sum_rest(y_whole, y_part, y_s);
+    const gs_v y_off = gs_fma(y_k, gs_v_of(0x1.ef35793c76730p-45), y_part_lo);
+    const gs_v y_e = gs_add(y_rest, y_off);
+    const gs_v y = gs_add(y_s, y_e);
+    const gs_v y_lo = gs_rest(y_s, y_e, y);
+    gs_v w_lo;
+    const gs_v w = gs_omega_near_pair(y, y_lo, &w_lo);
+    const gs_v r = w;
+    *lo = w_lo;
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_w0_range2(gs_v x, gs_v *lo)
+{
+    const gs_v r = x;
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+static GS_RARE gs_v gs_w0_outside(gs_v x, gs_v r, gs_v *lo)
+{
+    const gs_v m = x;
+    gs_v tail, rest;
+    gs_mask here;
+    here = gs_at_least(m, gs_v_of(0x1.5800000000000p+4));
+    tail = gs_w0_range1(gs_select(here, m, gs_v_of(0x1.5800000000000p+4)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(m, gs_v_of(INFINITY));
+    tail = gs_w0_range2(gs_select(here, m, gs_v_of(INFINITY)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    return gs_refuse_beyond(x, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(INFINITY), r, lo);
+}
+
+/* W0(x): w exp(w) = x, w >= -1: the nearest double but for a little, and the rest. */
+static inline gs_v gs_w0_value(gs_v x, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_mask here = gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(0x1.5800000000000p+4));
+    gs_v rest;
+    const gs_v r = gs_w0_range0(gs_select(here, m, gs_v_of(-0x1.78b56362cef37p-2)), &rest);
+    *lo = rest;
+    return gs_all(here) ? r : gs_w0_outside(x, r, lo);
+}
+
+/* -W-1(x), x = q^2 - 1/e, on [0.0, 0.25): degree 9 on each of 16 pieces. */
+GS_TABLE(gs_wm1_branch_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-6, 0x1.4000000000000p-5, 0x1.c000000000000p-5,
+    0x1.2000000000000p-4, 0x1.6000000000000p-4, 0x1.a000000000000p-4, 0x1.e000000000000p-4,
+    0x1.1000000000000p-3, 0x1.3000000000000p-3, 0x1.5000000000000p-3, 0x1.7000000000000p-3,
+    0x1.9000000000000p-3, 0x1.b000000000000p-3, 0x1.d000000000000p-3, 0x1.f000000000000p-3
+};
+GS_TABLE(gs_wm1_branch_c0) = {
+    0x1.0000000000000p+0, 0x1.0e4053724d492p+0, 0x1.180e2bb8264cdp+0, 0x1.221e0b83475e3p+0,
+    0x1.2c73a2a046111p+0, 0x1.3712f321e93dep+0, 0x1.42005b49486edp+0, 0x1.4d40a0f8db255p+0,
+    0x1.58d8fefed181bp+0, 0x1.64cf3494e2768p+0, 0x1.7129978a7b237p+0, 0x1.7def29ab7d9c0p+0,
+    0x1.8b27b21bb0afbp+0, 0x1.98dbdb90ab09cp+0, 0x1.a71558959d62ap+0, 0x1.b5df0f5bea533p+0
+};
+GS_TABLE(gs_wm1_branch_c0_lo) = {
+    0x0.0p+0, -0x1.2417e77d52bb1p-54, -0x1.e9e32f5b2b165p-54, 0x1.cdb9de0df450cp-55,
+    -0x1.ba24112b8a3c4p-54, 0x1.da428c7f7ff5fp-55, 0x1.39a8403568b7ap-54, -0x1.a0cb6e91c5770p-55,
+    -0x1.96b89d41184b1p-58, 0x1.006e025a3bb13p-57, 0x1.e6312e21fc41bp-54, 0x1.f69179d9b6e55p-55,
+    0x1.f61d0336d0c20p-55, 0x1.ec8255a8f591dp-55, 0x1.ea3c0e6636fa5p-55, -0x1.fd13fcc9fa493p-56
+};
+GS_TABLE(gs_wm1_branch_c1) = {
+    0x1.2a734f5b6ffbep+1, 0x1.35bf89b6411f4p+1, 0x1.3dc8a476c1ee6p+1, 0x1.4642f356a41e1p+1,
+    0x1.4f382f09495edp+1, 0x1.58b3374fde851p+1, 0x1.62c0403047c62p+1, 0x1.6d6d07c4bb26ap+1,
+    0x1.78c9169cef321p+1, 0x1.84e60d32cc0efp+1, 0x1.91d801a8edfe4p+1, 0x1.9fb5f1f8cfb13p+1,
+    0x1.ae9a4ff782949p+1, 0x1.bea3ae4a858e4p+1, 0x1.cff597b916269p+1, 0x1.e2b99d7da94f7p+1
+};
+GS_TABLE(gs_wm1_branch_c1_lo) = {
+    0x1.8fca033f0a510p-55, -0x1.49bed1484dc6ap-55, -0x1.8621c82aba08ap-53, -0x1.f7af7301f450bp-53,
+    -0x1.311d264686211p-56, -0x1.b82a8085ddbeap-53, -0x1.1db248337bd34p-53, 0x1.a99add5a66a67p-53,
+    0x1.c62ad9431968fp-56, -0x1.9399bb4ef5d8bp-53, 0x1.5ba216a7c9681p-53, -0x1.68524aa95a69fp-55,
+    -0x1.adee9cddd64b5p-53, -0x1.0d3da791e23e6p-53, -0x1.ad72df772b62dp-53, -0x1.12b2f9e926f31p-55
+};
+GS_TABLE(gs_wm1_branch_c2) = {
+    0x1.cfeb8b970748cp+0, 0x1.f4df1556ac3f8p+0, 0x1.08059355b357dp+1, 0x1.16c1e9700eed4p+1,
+    0x1.26c6e9eb11b41p+1, 0x1.383c20a20d6d2p+1, 0x1.4b4f40891fddcp+1, 0x1.603553d622e48p+1,
+    0x1.772c3311ba4a0p+1, 0x1.907c56a09bc47p+1, 0x1.ac7b1ca069131p+1, 0x1.cb8da5945e3a1p+1,
+    0x1.ee2c765213533p+1, 0x1.0a740f2e7b327p+2, 0x1.20379ccdb80c6p+2, 0x1.38cb23329f849p+2
+};
+GS_TABLE(gs_wm1_branch_c3) = {
+    0x1.efc70e85294d6p+0, 0x1.166f0b38cf552p+1, 0x1.2da76a0b0af82p+1, 0x1.478b8062b6d30p+1,
+    0x1.6480d862a57e6p+1, 0x1.84ffac53c2e29p+1, 0x1.a9970be395e25p+1, 0x1.d2f21780c60e6p+1,
+    0x1.00ef53556a5a8p+2, 0x1.1baae5e850abbp+2, 0x1.3a43690563faep+2, 0x1.5d72c6012ecb3p+2,
+    0x1.861e8fe968f07p+2, 0x1.b5647b16a9a0bp+2, 0x1.ecab136fa2f8bp+2, 0x1.16dc32308dc88p+3
+};
+GS_TABLE(gs_wm1_branch_c4) = {
+    0x1.2d412a7092478p+1, 0x1.6005efaaafa14p+1, 0x1.87eaf80a05985p+1, 0x1.b5a5b8ae024ddp+1,
+    0x1.ea44ca1df70d7p+1, 0x1.1388e89722218p+2, 0x1.36d05ad026ab3p+2, 0x1.5ff1b3f32efbcp+2,
+    0x1.9021e41d89aeep+2, 0x1.c8e2ef952a2cep+2, 0x1.060d5ef0f8c09p+3, 0x1.2e18e6421ca9dp+3,
+    0x1.5e1e765c08ab4p+3, 0x1.981b52d273570p+3, 0x1.dea7839d91390p+3, 0x1.1a9707f2add0cp+4
+};
+GS_TABLE(gs_wm1_branch_c5) = {
+    0x1.888ed55f5b266p+1, 0x1.dd33fa65cd39bp+1, 0x1.10fa16571f9e5p+2, 0x1.397bbc1d59c44p+2,
+    0x1.696ff3925e5abp+2, 0x1.a27d260170dd5p+2, 0x1.e6b84759eff43p+2, 0x1.1c633fc760b92p+3,
+    0x1.4e054f578d757p+3, 0x1.8a7188ad89838p+3, 0x1.d47f962698adfp+3, 0x1.17f5770c83f91p+4,
+    0x1.50d32c494fd20p+4, 0x1.98297776f8332p+4, 0x1.f275f23c08ff8p+4, 0x1.32f082bf7818dp+5
+};
+GS_TABLE(gs_wm1_branch_c6) = {
+    0x1.0b389a6e9252ep+2, 0x1.51ed8a17f8791p+2, 0x1.8d486043f62f9p+2, 0x1.d52e945a63c14p+2,
+    0x1.16604899d44f4p+3, 0x1.4c03425fb0038p+3, 0x1.8e1eb7e2a4d98p+3, 0x1.e020aeffd0541p+3,
+    0x1.23484f4de7208p+4, 0x1.63bbb17a6a642p+4, 0x1.b579868219a7dp+4, 0x1.0f02e247f47e1p+5,
+    0x1.527a1b2d27033p+5, 0x1.aa669b19ea1aep+5, 0x1.0f19167e661a7p+6, 0x1.5c387903da0ecp+6
+};
+GS_TABLE(gs_wm1_branch_c7) = {
+    0x1.76f446e37f05ap+2, 0x1.ed3563454be21p+2, 0x1.29eaa62ab763bp+3, 0x1.69d040133ed6ep+3,
+    0x1.b9e0db6300e9ep+3, 0x1.0f6ecd9e53bf6p+4, 0x1.4f91683751dd8p+4, 0x1.a1a30e07412f5p+4,
+    0x1.05be53cb2750dp+5, 0x1.4a94e6cfd418fp+5, 0x1.a4ed3fd0c3ff8p+5, 0x1.0e52ac2c51403p+6,
+    0x1.5e782059ee9eap+6, 0x1.cafa85991add7p+6, 0x1.2fd4fb396820cp+7, 0x1.9708a34f25a9fp+7
+};
+GS_TABLE(gs_wm1_branch_c8) = {
+    0x1.0b8c13714fb46p+3, 0x1.7006acb5815d1p+3, 0x1.c8dfbb87d4da3p+3, 0x1.1d4e4f27097f6p+4,
+    0x1.669e53bcb7f57p+4, 0x1.c5d560daa05eep+4, 0x1.213c5a857c4e0p+5, 0x1.737f3d27437dbp+5,
+    0x1.e10d5ede42924p+5, 0x1.3a2c7d729ab6fp+6, 0x1.9e334df7441dbp+6, 0x1.13c4ad0187155p+7,
+    0x1.732769140c140p+7, 0x1.f95311300ae46p+7, 0x1.5c4f999b21f8fp+8, 0x1.e6b2a66a48090p+8
+};
+GS_TABLE(gs_wm1_branch_c9) = {
+    0x1.b340bb5f820c7p+3, 0x1.172398f8ccdb1p+4, 0x1.64153690af155p+4, 0x1.c956ae451d98dp+4,
+    0x1.27d0c49960441p+5, 0x1.819b7e11bbf05p+5, 0x1.fabcd4258a3e1p+5, 0x1.4fd5a4ea04390p+6,
+    0x1.c13c70ed10d36p+6, 0x1.2f6a6a5a487f0p+7, 0x1.9e2981a41af5dp+7, 0x1.1dd9a52267ffep+8,
+    0x1.8f5c64fc42f79p+8, 0x1.1a9dc8efaeb81p+9, 0x1.95a5a406cf906p+9, 0x1.2793b8f47ae9cp+10
+};
+
+static inline gs_v gs_wm1_branch_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 65472, 46);
+    const gs_v d = gs_sub(x, gs_pick(gs_wm1_branch_centre, i));
+    const gs_v q9 = gs_pick(gs_wm1_branch_c9, i);
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_wm1_branch_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_wm1_branch_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_wm1_branch_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_wm1_branch_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_wm1_branch_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_wm1_branch_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_wm1_branch_c2, i));
+    const gs_v c1 = gs_pick(gs_wm1_branch_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_wm1_branch_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_wm1_branch_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_wm1_branch_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_wm1_branch_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 65472, 46);
+    const gs_v d = gs_sub(x, gs_pick(gs_wm1_branch_centre, i));
+    const gs_v q9 = gs_pick(gs_wm1_branch_c9, i);
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_wm1_branch_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_wm1_branch_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_wm1_branch_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_wm1_branch_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_wm1_branch_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_wm1_branch_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_wm1_branch_c2, i));
+    const gs_v c1 = gs_pick(gs_wm1_branch_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_wm1_branch_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_wm1_branch_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_wm1_branch_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* fall_factor, continued, on [13.0, 223.0): degree 13 on each of 16 pieces. */
+GS_TABLE(gs_fall_tail_centre) = {
+    0x1.c000000000000p+3, 0x1.1000000000000p+4, 0x1.5000000000000p+4, 0x1.9000000000000p+4,
+    0x1.d000000000000p+4, 0x1.1800000000000p+5, 0x1.5800000000000p+5, 0x1.9800000000000p+5,
+    0x1.d800000000000p+5, 0x1.1c00000000000p+6, 0x1.5c00000000000p+6, 0x1.9c00000000000p+6,
+    0x1.dc00000000000p+6, 0x1.1e00000000000p+7, 0x1.5e00000000000p+7, 0x1.9e00000000000p+7
+};
+GS_TABLE(gs_fall_tail_c0) = {
+    0x1.d537378250462p+2, 0x1.19702f7205543p+3, 0x1.58441e1b535ecp+3, 0x1.9761693552f66p+3,
+    0x1.d6af4e576601ap+3, 0x1.1af07295ba41bp+4, 0x1.5a8b5488afee0p+4, 0x1.9a4064ae0e4a9p+4,
+    0x1.da065f2a90d2cp+4, 0x1.1ce2058bc4d9dp+5, 0x1.5cc1ff610ebc0p+5, 0x1.9caa901a826aep+5,
+    0x1.dc9897d3f1377p+5, 0x1.1e421eb29560bp+6, 0x1.5e386412fac26p+6, 0x1.9e315584b9ff1p+6
+};
+GS_TABLE(gs_fall_tail_c0_lo) = {
+    -0x1.7794f4618c90fp-55, -0x1.55ccf54cb2acfp-53, -0x1.f20940911a878p-51, 0x1.1a22a604ff5edp-52,
+    0x1.752a6e3e7afeep-51, -0x1.2ffa18775fb24p-52, 0x1.58349580f8fd0p-53, -0x1.120d24bc15484p-50,
+    0x1.9842480aa0413p-50, 0x1.c5544dbd913acp-49, 0x1.6e2a4056c3edep-52, -0x1.1124c68ac86cep-51,
+    0x1.31684887fc04ep-49, -0x1.6fecaec5c9d96p-51, -0x1.243d30637c3cdp-48, 0x1.35fc8ee2f37a5p-48
+};
+GS_TABLE(gs_fall_tail_c1) = {
+    0x1.f1bae2c8f4df1p-2, 0x1.f51531725b8e0p-2, 0x1.f7efc18d99d3dp-2, 0x1.f9c53795287a6p-2,
+    0x1.fb0637fd7a505p-2, 0x1.fc47a3d3c284fp-2, 0x1.fd500c777892dp-2, 0x1.fdf525fc5e058p-2,
+    0x1.fe63ab54b8574p-2, 0x1.fed034ee16095p-2, 0x1.ff27b21127c66p-2, 0x1.ff5d60b1ff3d6p-2,
+    0x1.ff80d7e513a35p-2, 0x1.ffa33f45f34e6p-2, 0x1.ffbe9df2f1841p-2, 0x1.ffcf37c5271bbp-2
+};
+GS_TABLE(gs_fall_tail_c1_lo) = {
+    -0x1.fe3bcf881d9e4p-56, 0x1.1340a9b665c66p-57, -0x1.754ce8d818027p-57, -0x1.6fcf5c6fd934ap-58,
+    -0x1.45ef391d5ef32p-56, 0x1.f2970906173d8p-59, 0x1.c4997d396c41ep-60, 0x1.cdd3a96dc5e43p-56,
+    0x1.c695bcf0a4708p-57, -0x1.dcce7216b328ep-56, -0x1.b758d152fd4c6p-57, 0x1.8e7cf7a8372fcp-56,
+    -0x1.8681f6180949ep-56, -0x1.babaa25a1a191p-56, 0x1.03ba42ac96f46p-58, -0x1.a92303467218bp-58
+};
+GS_TABLE(gs_fall_tail_c2) = {
+    0x1.608c71bac6704p-11, 0x1.ce7f9a22630aep-12, 0x1.1f08f092dacb5p-12, 0x1.7e81a3d0f61edp-13,
+    0x1.0ca332c3eb597p-13, 0x1.54419d362e1f0p-14, 0x1.988b91623e24dp-15, 0x1.09c46da7b64a8p-15,
+    0x1.6e89425a3cc4fp-16, 0x1.c6ba9d673eaa0p-17, 0x1.0b971d762e10bp-17, 0x1.570c22ecbe874p-18,
+    0x1.d3b9347a2c554p-19, 0x1.1e4f7945ecf21p-19, 0x1.4c95bac00d9aep-20, 0x1.a62ff77d498afp-21
+};
+GS_TABLE(gs_fall_tail_c3) = {
+    -0x1.1dab0e07bcd01p-15, -0x1.4161004733f84p-16, -0x1.4f0dbf77861cbp-17, -0x1.80d15ff19ead9p-18,
+    -0x1.daea8ed0706c6p-19, -0x1.fcf15733caee2p-20, -0x1.fb2ba4df1ef05p-21, -0x1.1a0e75ac5cd12p-21,
+    -0x1.53cb8f47c2617p-22, -0x1.627247c0ed3edp-23, -0x1.584645066df0ap-24, -0x1.77db2676bdbf7p-25,
+    -0x1.be5af9059f998p-26, -0x1.ca09173c29e73p-27, -0x1.b5d6d7fd5f9e4p-28, -0x1.d8581be52cedap-29
+};
+GS_TABLE(gs_fall_tail_c4) = {
+    0x1.d96a0fe89a156p-20, 0x1.c94be6266151bp-21, 0x1.90b29a65329cap-22, 0x1.8cb0a3a74377dp-23,
+    0x1.ae1b0c8a765b9p-24, 0x1.85da379082684p-25, 0x1.4242c69f999d4p-26, 0x1.324655e77c82fp-27,
+    0x1.4223d4bc408dbp-28, 0x1.1a5a10633d5edp-29, 0x1.c455e16610f83p-31, 0x1.a448dfb83afcfp-32,
+    0x1.b282f943bbfa8p-33, 0x1.757d76db171e1p-34, 0x1.2597d5f40b594p-35, 0x1.0d0635926354cp-36
+};
+GS_TABLE(gs_fall_tail_c5) = {
+    -0x1.8c93b02ccc77ap-24, -0x1.4980c0ba818bep-25, -0x1.e5e1e2ec0f9a2p-27, -0x1.9ed72e8e40cf4p-28,
+    -0x1.8b3ca876b2126p-29, -0x1.2f05d4dc1f8fep-30, -0x1.9f7fdf4960f5fp-32, -0x1.5156c39a93de9p-33,
+    -0x1.35b3ef976f5f1p-34, -0x1.c803a8dcfbd80p-36, -0x1.2d1b0b9a9ca24p-37, -0x1.dc08c0d2dbd09p-39,
+    -0x1.ac4ef80a3489cp-40, -0x1.3442e73bf69dcp-41, -0x1.8e5ce8561252cp-43, -0x1.35f0000b65f45p-44
+};
+GS_TABLE(gs_fall_tail_c6) = {
+    0x1.4dc027e04effap-28, 0x1.de17b8a00c274p-30, 0x1.290ba879a3d68p-31, 0x1.b5c38082da698p-33,
+    0x1.6ea2a34d2853cp-34, 0x1.dba4f3d3183a4p-36, 0x1.0e7a325554ed5p-37, 0x1.7729c0df9bf31p-39,
+    0x1.2c9aa044307a5p-40, 0x1.73b4c8a393404p-42, 0x1.94896d469712bp-44, 0x1.0ffd3396bf87fp-45,
+    0x1.a9dcebabd4106p-47, 0x1.0090ffd80fd6dp-48, 0x1.107468ba8c004p-50, 0x1.67e2ae08bd353p-52
+};
+GS_TABLE(gs_fall_tail_c7) = {
+    -0x1.190b7a4cd3550p-32, -0x1.5bf34c6e13ee4p-34, -0x1.6d0005d9f523dp-36, -0x1.d0aa120f5c2bfp-38,
+    -0x1.5645280ed9bb3p-39, -0x1.77d2575ec5cdfp-41, -0x1.6296b234b4521p-43, -0x1.a4232f668790ep-45,
+    -0x1.25cc06dc59b92p-46, -0x1.310e9a0896155p-48, -0x1.1190584e6e408p-50, -0x1.38d668e67577ep-52,
+    -0x1.aa2203ee5a8a7p-54, -0x1.adb974765c3e7p-56, -0x1.76e8fcf9491a6p-58, -0x1.a44e5529e5cc3p-60
+};
+GS_TABLE(gs_fall_tail_c8) = {
+    0x1.d8365c7f90bb5p-37, 0x1.facf8041e47e5p-39, 0x1.c1b6f5a6da6b4p-41, 0x1.ef122a6acea93p-43,
+    0x1.40ea03f129698p-44, 0x1.2a61eba3b7023p-46, 0x1.d33a94f6bfe3dp-49, 0x1.d8f36bc62ee3dp-51,
+    0x1.20a4b80b4b454p-52, 0x1.f750de4073963p-55, 0x1.73dff731bd70fp-57, 0x1.699df431bd4fap-59,
+    0x1.ac7d0fe6ae5fbp-61, 0x1.69960a0ba47e0p-63, 0x1.0321db691fdcap-65, 0x1.ed0f89f53b11cp-68
+};
+GS_TABLE(gs_fall_tail_c9) = {
+    -0x1.8acef35824a49p-41, -0x1.70a4db5e2d443p-43, -0x1.1558a21f0274fp-45, -0x1.08551bae47b42p-47,
+    -0x1.2dc6b93141426p-49, -0x1.db744a8dd747ap-52, -0x1.3501b7ddba95cp-54, -0x1.0b4333beb720cp-56,
+    -0x1.1cba121bec1e9p-58, -0x1.a0e4b68fd1481p-61, -0x1.fb8aa1eaa5888p-64, -0x1.a3a66030cb0b3p-66,
+    -0x1.b0866b776db83p-68, -0x1.3165c27bdc079p-70, -0x1.67860aeb33a6dp-73, -0x1.223af1d477285p-75
+};
+GS_TABLE(gs_fall_tail_c10) = {
+    0x1.47c1874f55668p-45, 0x1.0b4dff3e6f76ep-47, 0x1.55f93e2f9c24fp-50, 0x1.1a91e93deb19cp-52,
+    0x1.1c4e3276f9e4cp-54, 0x1.7b924fe588d7dp-57, 0x1.99d43a93a99b9p-60, 0x1.2ef59d11d8040p-62,
+    0x1.19bda413b627dp-64, 0x1.5a3904b740342p-67, 0x1.5b6004a4ce05fp-70, 0x1.e87afad72dc90p-73,
+    0x1.b5ef883c2c67dp-75, 0x1.02907e374d3a2p-77, 0x1.f4257984e8074p-81, 0x1.569d177efb1a3p-83
+};
+GS_TABLE(gs_fall_tail_c11) = {
+    -0x1.0d8b6611cc702p-49, -0x1.821fc165d76aep-52, -0x1.a53af7acd11fcp-55, -0x1.2e2ef88813821p-57,
+    -0x1.0c29692e4ff1bp-59, -0x1.2fb91176b4a31p-62, -0x1.1072c1ef9c1dfp-65, -0x1.584fd0f95cae0p-68,
+    -0x1.1785990b24f8fp-70, -0x1.2075cbb45f049p-73, -0x1.dce4d09bd2949p-77, -0x1.1d166bc1a47f6p-79,
+    -0x1.bc99d8a6b9750p-82, -0x1.b738700ed1a9bp-85, -0x1.5cd87445fd2ebp-88, -0x1.957c0a83854b9p-91
+};
+GS_TABLE(gs_fall_tail_c12) = {
+    0x1.b9c6f4d9ea5bcp-54, 0x1.1d2603e0e2a13p-56, 0x1.084a44b485f26p-59, 0x1.4820977525044p-62,
+    0x1.002cbe6b4f931p-64, 0x1.f8667aad388ebp-68, 0x1.73e9f5026167cp-71, 0x1.8f2ebf72a4314p-74,
+    0x1.19b9485203af2p-76, 0x1.f4e9d8bf0bac8p-80, 0x1.50d6e5b25656bp-83, 0x1.53e496a295e18p-86,
+    0x1.cae1cff0838a6p-89, 0x1.855c1456b528cp-92, 0x1.f51a96d95455fp-96, 0x1.ea5865b48847fp-99
+};
+GS_TABLE(gs_fall_tail_c13) = {
+    -0x1.6143be8f4bd26p-58, -0x1.966769ec834dep-61, -0x1.43da4a1849595p-64, -0x1.5e5d9dddcd8cap-67,
+    -0x1.e376d6c6948b0p-70, -0x1.946c4a720b594p-73, -0x1.efffc8d965ea1p-77, -0x1.c748f1875df8dp-80,
+    -0x1.1892efc94a292p-82, -0x1.a30d4923ce775p-86, -0x1.d05908a218d31p-90, -0x1.8e6037ece9df8p-93,
+    -0x1.d3c501f48029dp-96, -0x1.4c0e411b9d5eap-99, -0x1.5ee564458b5c6p-103, -0x1.2346b733a0db2p-106
+};
+
+static inline gs_v gs_fall_tail_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4107, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_fall_tail_centre, i));
+    const gs_v q13 = gs_pick(gs_fall_tail_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_fall_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_fall_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_fall_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_fall_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_fall_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_fall_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_fall_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_fall_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_fall_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_fall_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_fall_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_fall_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_fall_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_fall_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_fall_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_fall_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4107, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_fall_tail_centre, i));
+    const gs_v q13 = gs_pick(gs_fall_tail_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_fall_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_fall_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_fall_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_fall_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_fall_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_fall_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_fall_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_fall_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_fall_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_fall_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_fall_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_fall_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_fall_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_fall_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_fall_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* x in [-0.3056, -1e-49) */
+static inline gs_v gs_wm1_range0(gs_v x, gs_v *lo)
+{
+    const gs_v m0 = gs_abs(x);
+    const gs_v m = gs_mul(m0, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_k0 = gs_exponent(m);
+    const gs_v y_k = gs_sub(y_k0, gs_v_of(0x0.0p+0));
+    const gs_v y_m = gs_mantissa(m);
+    gs_v y_part_lo;
+    const gs_v y_part = gs_log_near(y_m, &y_part_lo);
+    const gs_v y_whole = gs_mul(y_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v y_s = gs_add(y_whole, y_part);
+    const gs_v y_rest = gs_sum_rest(y_whole, y_part, y_s);
+    const gs_v y_off = gs_fma(y_k, gs_v_of(0x1.ef35793c76730p-45), y_part_lo);
+    const gs_v y_e = gs_add(y_rest, y_off);
+    const gs_v y = gs_add(y_s, y_e);
+    const gs_v y_lo = gs_rest(y_s, y_e, y);
+    const gs_v z = gs_mul(y, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v z_lo = gs_mul(y_lo, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v twice_s = gs_add(z, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v twice_rest = gs_sum_rest(z, gs_v_of(-0x1.0000000000000p+1), twice_s);
+    const gs_v twice_off = gs_add(twice_rest, z_lo);
+    const gs_v twice = gs_add(twice_s, twice_off);
+    const gs_v twice_lo = gs_rest(twice_s, twice_off, twice);
+    const gs_v p = gs_sqrt(twice);
+    const gs_v p_e0 = gs_product_rest(p, p, twice);
+    const gs_v p_e1 = gs_sub(p_e0, twice_lo);
+    const gs_v p_twice = gs_fma(p, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v p_lo = gs_div(p_e1, p_twice);
+    gs_v f_lo;
+    const gs_v f = gs_fall_factor_near_pair(p, p_lo, &f_lo);
+    const gs_v w_h = gs_mul(p, f);
+    const gs_v w_e0 = gs_product_rest(p, f, w_h);
+    const gs_v w_e1 = gs_fma(p, f_lo, w_e0);
+    const gs_v w_e2 = gs_fma(f, p_lo, w_e1);
+    const gs_v w = gs_add(w_h, w_e2);
+    const gs_v w_lo = gs_rest(w_h, w_e2, w);
+    const gs_v v_s = gs_add(w, gs_v_of(0x1.0000000000000p+0));
+    const gs_v v_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+0), v_s);
+    const gs_v v_off = gs_add(v_rest, w_lo);
+    const gs_v v = gs_add(v_s, v_off);
+    const gs_v v_lo = gs_rest(v_s, v_off, v);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), v);
+    *lo = gs_sub(gs_v_of(0x0.0p+0), v_lo);
+    return r;
+}
+
+/* x in [-0.3678794411714423, -0.3056) */
+static inline gs_v gs_wm1_range1(gs_v x, gs_v *lo)
+{
+    const gs_v sum = gs_add(x, gs_v_of(0x1.78b56362cef38p-2));
+    const gs_v sum_rest = gs_sum_rest(x, gs_v_of(0x1.78b56362cef38p-2), sum);
+    const gs_v sum_off = gs_add(sum_rest, gs_v_of(-0x1.ca8a4270fadf5p-57));
+    const gs_v delta = gs_add(sum, sum_off);
+    const gs_v delta_lo = gs_rest(sum, sum_off, delta);
+    const gs_v q = gs_sqrt(delta);
+    const gs_v q_e0 = gs_product_rest(q, q, delta);
+    const gs_v q_e1 = gs_sub(q_e0, delta_lo);
+    const gs_v q_twice = gs_fma(q, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v q_lo = gs_div(q_e1, q_twice);
+    gs_v w_lo;
+    const gs_v w = gs_wm1_branch_near_pair(q, q_lo, &w_lo);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
+    *lo = gs_sub(gs_v_of(0x0.0p+0), w_lo);
+    return r;
+}
+
+/* x in [-1e-49, 0.0) */
+static inline gs_v gs_wm1_range2(gs_v x, gs_v *lo)
+{
+    const gs_v m0 = gs_abs(x);
+    const gs_v m = gs_mul(m0, gs_v_of(0x1.0000000000000p+64));
+    const gs_v y_k0 = gs_exponent(m);
+    const gs_v y_k = gs_sub(y_k0, gs_v_of(0x1.0000000000000p+6));
+    const gs_v y_m = gs_mantissa(m);
+    gs_v y_part_lo;
+    const gs_v y_part = gs_log_near(y_m, &y_part_lo);
+    const gs_v y_whole = gs_mul(y_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v y_s = gs_add(y_whole, y_part);
+    const gs_v y_rest = gs_sum_rest(y_whole, y_part, y_s);
+    const gs_v y_off = gs_fma(y_k, gs_v_of(0x1.ef35793c76730p-45), y_part_lo);
+    const gs_v y_e = gs_add(y_rest, y_off);
+    const gs_v y = gs_add(y_s, y_e);
+    const gs_v y_lo = gs_rest(y_s, y_e, y);
+    const gs_v z = gs_mul(y, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v z_lo = gs_mul(y_lo, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v twice_s = gs_add(z, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v twice_rest = gs_sum_rest(z, gs_v_of(-0x1.0000000000000p+1), twice_s);
+    const gs_v twice_off = gs_add(twice_rest, z_lo);
+    const gs_v twice = gs_add(twice_s, twice_off);
+    const gs_v twice_lo = gs_rest(twice_s, twice_off, twice);
+    const gs_v p = gs_sqrt(twice);
+    const gs_v p_e0 = gs_product_rest(p, p, twice);
+    const gs_v p_e1 = gs_sub(p_e0, twice_lo);
+    const gs_v p_twice = gs_fma(p, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v p_lo = gs_div(p_e1, p_twice);
+    gs_v f_lo;
+    const gs_v f = gs_fall_tail_near_pair(p, p_lo, &f_lo);
+    const gs_v w_h = gs_mul(p, f);
+    const gs_v w_e0 = gs_product_rest(p, f, w_h);
+    const gs_v w_e1 = gs_fma(p, f_lo, w_e0);
+    const gs_v w_e2 = gs_fma(f, p_lo, w_e1);
+    const gs_v w = gs_add(w_h, w_e2);
+    const gs_v w_lo = gs_rest(w_h, w_e2, w);
+    const gs_v v_s = gs_add(w, gs_v_of(0x1.0000000000000p+0));
+    const gs_v v_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+0), v_s);
+    const gs_v v_off = gs_add(v_rest, w_lo);
+    const gs_v v = gs_add(v_s, v_off);
+    const gs_v v_lo = gs_rest(v_s, v_off, v);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), v);
+    *lo = gs_sub(gs_v_of(0x0.0p+0), v_lo);
+    return r;
+}
+
+/* x in [0.0, 5e-324) */
+static inline gs_v gs_wm1_range3(gs_v x, gs_v *lo)
+{
+    const gs_v r = gs_sub(x, gs_v_of(INFINITY));
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+static GS_RARE gs_v gs_wm1_outside(gs_v x, gs_v r, gs_v *lo)
+{
+    const gs_v m = x;
+    gs_v tail, rest;
+    gs_mask here;
+    here = gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(-0x1.38ef34d6a161ep-2));
+    tail = gs_wm1_range1(gs_select(here, m, gs_v_of(-0x1.78b56362cef37p-2)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_within(m, gs_v_of(-0x1.2b50c6ec4f313p-163), gs_v_of(0x0.0p+0));
+    tail = gs_wm1_range2(gs_select(here, m, gs_v_of(-0x1.2b50c6ec4f313p-163)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x0.0000000000001p-1022));
+    tail = gs_wm1_range3(gs_select(here, m, gs_v_of(0x0.0p+0)), &rest);
+    r = gs_select(here, tail, r);
+    *lo = gs_select(here, rest, *lo);
+    return gs_refuse_beyond(x, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(0x0.0p+0), r, lo);
+}
+
+/* W-1(x): w exp(w) = x, w <= -1; -inf at 0: the nearest double but for a little, and the rest. */
+static inline gs_v gs_wm1_value(gs_v x, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_mask here = gs_within(m, gs_v_of(-0x1.38ef34d6a161ep-2), gs_v_of(-0x1.2b50c6ec4f313p-163));
+    gs_v rest;
+    const gs_v r = gs_wm1_range0(gs_select(here, m, gs_v_of(-0x1.38ef34d6a161ep-2)), &rest);
+    *lo = rest;
+    return gs_all(here) ? r : gs_wm1_outside(x, r, lo);
+}
+
 GS_TABLE(gs_exp_minus_sixteenth) = {
     0x1.0000000000000p+0, 0x1.ea4afa2a490dap-1, 0x1.d5818dcfba487p-1, 0x1.c199bdd85529cp-1,
     0x1.ae89f995ad3adp-1, 0x1.9c49182a3f090p-1, 0x1.8ace5422aa0dbp-1, 0x1.7a11473eb0187p-1,

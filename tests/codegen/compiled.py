@@ -18,9 +18,13 @@ FLAGS = ["-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-Wall", "-Wextra", "-
 
 
 def compilers():
-    """Names of the C compilers there are."""
+    """Names of the C compilers there are; of two names for the same program, the first."""
     names = [os.environ.get("CC"), "gcc", "clang", "cc"]
-    return list(dict.fromkeys(n for n in names if n and shutil.which(n)))
+    found = {}
+    for name in filter(None, names):
+        if place := shutil.which(name):
+            found.setdefault(os.path.realpath(place), name)
+    return list(found.values())
 
 
 @cache

@@ -24,12 +24,27 @@ def _descent(p):
     return 1 + p * p / 2 + mp.lambertw(-mp.exp(-1 - p * p / 2)).real
 
 
+def _best(a):
+    return 1 + mp.lambertw((a * a - 1) / mp.e).real
+
+
+def _offset(branch):
+    return lambda x: 1 + mp.lambertw(-mp.exp(-1 - x), branch).real
+
+
 CLOSED = {
     "phi1m": lambda z: -mp.expm1(-z) / z,
     "phi2m": lambda z: (z + mp.expm1(-z)) / z**2,
     "descent_factor": lambda p: _descent(p) / p,
     "flight_factor": lambda b: _flight(b) / (2 * b),
     "range_factor": lambda b: -mp.expm1(-_flight(b)) / (2 * b),
+    "best_sine": lambda a: a / mp.expm1(_best(a)),
+    "best_angle": lambda a: mp.asin(a / mp.expm1(_best(a))),
+    "max_range_factor": lambda a: mp.sqrt(1 - (1 + _best(a)) * mp.exp(-_best(a))) / a,
+    "w0_offset": _offset(0),
+    "wm1_offset": _offset(-1),
+    "w0": lambda x: mp.lambertw(x).real,
+    "wm1": lambda x: mp.lambertw(x, -1).real,
     "exp_minus": lambda z: mp.exp(-z),
     "sin": mp.sin,
     "cos": mp.cos,
@@ -42,6 +57,13 @@ LIMITS = {  # at +0 and -0, and at infinity
     "descent_factor": (1.0, np.inf),
     "flight_factor": (1.0, 0.5),
     "range_factor": (1.0, 0.0),
+    "best_sine": (np.sqrt(0.5), 0.0),
+    "best_angle": (np.pi / 4, 0.0),
+    "max_range_factor": (1.0, 0.0),
+    "w0_offset": (ITSELF, 1.0),
+    "wm1_offset": (0.0, -np.inf),
+    "w0": (ITSELF, np.inf),
+    "wm1": (-np.inf, np.nan),
     "exp_minus": (1.0, 0.0),
     "sin": (ITSELF, np.nan),
     "cos": (1.0, np.nan),
@@ -66,14 +88,15 @@ def points(name, count, seed=1):
     """Arguments of all sizes in the domain, and on both sides of every end of a piece."""
     kernel, rng = KERNELS[name], np.random.default_rng(seed)
     lower, upper = kernel.domain
-    spread = 10.0 ** rng.uniform(-12, np.log10(max(kernel.thresholds)) + 1, count)
+    thresholds = np.array([v for v in kernel.thresholds if np.isfinite(v)])
+    spread = 10.0 ** rng.uniform(-12, min(4, np.log10(max(abs(thresholds))) + 1), count)
     far = 10.0 ** rng.uniform(-323, 308, count // 4)
-    ends = np.array([5e-324, *kernel.thresholds, *(2.0**e * (1 + s / 4) for e in range(-8, 9) for s in range(4))])
+    ends = np.array([5e-324, *thresholds, *(2.0**e * (1 + s / 4) for e in range(-8, 9) for s in range(4))])
     x = np.concatenate([spread, far, ends, np.nextafter(ends, 0), np.nextafter(ends, 1e9)])
     if np.isfinite(upper):
         x = np.concatenate([x, upper - spread, upper * rng.uniform(0, 1, count)])
     if lower < 0:
-        x = np.concatenate([x, -x[::3], max(lower, -10.0) * rng.uniform(0, 1, count)])
+        x = np.concatenate([x, -x[::3], max(lower, -10.0) * rng.uniform(0, 1, count), max(lower, -10.0) + spread])
     return x[(x >= lower) & (x <= upper) & (x != 0)]
 
 
@@ -124,7 +147,7 @@ def test_binary32_is_correctly_rounded(name):
     x = x[(x >= np.float64(KERNELS[name].domain[0])) & (x <= np.float64(KERNELS[name].domain[1]))]
     for a, value in zip(x, run(name, x, "plain", np.float32), strict=True):
         exact = reference(name, a)
-        neighbours = [np.nextafter(value, np.float32(0)), np.nextafter(value, np.float32(np.inf))]
+        neighbours = [np.nextafter(value, np.float32(side)) for side in (-np.inf, np.inf)]
         missed = abs(mpf(float(value)) - exact)
         assert all(missed <= abs(mpf(float(n)) - exact) for n in neighbours), a
 
@@ -142,8 +165,8 @@ def test_edges(name):
         assert np.array_equal(value[2], at_infinity, equal_nan=True)
         assert np.isnan(value[3:]).all()
         assert not np.isnan(run(name, [v for v in SPECIAL if lower <= v <= upper], suffix)).any()
-        ends = [v for v in (lower, upper) if np.isfinite(v)]
-        assert np.isnan(run(name, [np.nextafter(v, v + np.copysign(1, v - 0.5)) for v in ends], suffix)).all()
+        beyond = [np.nextafter(v, side) for v, side in ((lower, -np.inf), (upper, np.inf)) if np.isfinite(v)]
+        assert np.isnan(run(name, beyond, suffix)).all()
 
 
 @pytest.mark.parametrize("name", ODD_OR_EVEN)
@@ -191,25 +214,8 @@ int main(void)
     return failures != 0;
 }
 """
-NUMBERS = [
-    0.0,
-    5e-324,
-    1e-300,
-    1e-60,
-    0.5,
-    3.8,
-    9.375,
-    15.0,
-    45.0,
-    64.0,
-    300.0,
-    650.0,
-    712.0,
-    745.2,
-    1e80,
-    1e308,
-    np.inf,
-]
+NUMBERS = [0.0, 5e-324, 1e-300, 1e-60, 0.2, 0.3, 0.35, float.fromhex("0x1.78b56362cef37p-2"), 0.5, 3.8, 9.375, 15.0]
+NUMBERS += [45.0, 64.0, 100.0, 300.0, 650.0, 712.0, 745.2, 1e80, 1e250, 1e308, np.inf]
 ERRORS = "FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW"
 # the approximations of the others multiply tiny arguments
 UNDERFLOWS = {"exp_minus": lambda x: 708.4 < x < np.inf} | dict.fromkeys(["sin", "cos", "arctan"], lambda x: False)
