@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
 .DEFAULT_GOAL := all
-.PHONY: all install test mutants coverage tables lint format clean help
+.PHONY: all install test mutants coverage tables exhaustive same-bits hard-cases prove prove-check lint format clean help
 
 all: install ## install, then derive, emit and verify everything
 	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
@@ -28,6 +28,16 @@ mutants: install ## change every statement and every premise in one place at a t
 
 tables: install ## fit the primitives' coefficients again; the same bytes unless a definition changed
 	$(BIN)/python -m galileo_sym.primitives.remake
+
+exhaustive: install ## try the binary32 primitives at all 2^32 inputs; goes on where it was interrupted
+	$(BIN)/python tools/exhaustive/run.py
+
+same-bits: install ## hold every version of the primitives, by gcc and clang, to the same bits
+	$(BIN)/python tools/exhaustive/same_bits.py
+
+SEED ?= 1
+hard-cases: install ## look for inputs worse than those in tests/data; another SEED tries others
+	$(BIN)/python tools/exhaustive/hard_cases.py --seed $(SEED)
 
 coverage: install ## hold docs/coverage.md against a run of every derivation
 	$(BIN)/python tools/coverage_page.py
