@@ -3,8 +3,8 @@
     python tools/primitive_speed.py [--compiler CC] [--points N] [--rounds R]
 
 For each primitive: operations of the typical path, scalar latency (each call waits for the one before), and array
-throughput of each version on N doubles of the first pieces, as medians of R interleaved rounds; ratios are to
-numpy.exp on the same count. Shared machines are noisy: compare ratios, of one run.
+throughput of each version on N doubles of its range, as medians of R interleaved rounds; ratios are to numpy.exp on as
+many doubles. Shared machines are noisy: compare ratios, of one run.
 """
 
 import argparse
@@ -21,7 +21,8 @@ import numpy as np
 
 from galileo_sym.codegen.kernels import TARGETS
 from galileo_sym.primitives.approximations import APPROXIMATIONS
-from galileo_sym.primitives.kernels import KERNELS, near_lines
+from galileo_sym.primitives.kernels import BANKED, KERNELS
+from galileo_sym.primitives.lines import near_lines
 from galileo_sym.verify.back_ends import generated_folder
 from galileo_sym.verify.native import compile_library, find_compiler
 
@@ -36,6 +37,7 @@ double gs_latency(double (*f)(double), double x, long count)
 }
 """
 CALLS = 20000
+LONGEST = 32.0  # arguments of a range without end go so far
 
 
 def supported():
@@ -48,11 +50,24 @@ def supported():
     return [*(s for s, (_, features, _) in TARGETS.items() if set(features.split(",")) <= flags), "plain"]
 
 
+def typical(name):
+    """Return (begin, end, lines) of the path that a vector takes unless one of its lanes needs another."""
+    if name in BANKED:
+        bank = BANKED[name].banks[0]
+        return 0.0, APPROXIMATIONS[bank].partition.end, near_lines(bank, False)
+    first = KERNELS[name].ranges[0]
+    return first.begin, min(first.end, LONGEST), list(first.lines)
+
+
 def operations(name):
-    """How many operations of each kind the first bank of a primitive takes; a column picked counts as one."""
-    total = Counter()
-    for line in near_lines(KERNELS[name].banks[0], False):
-        total[line.operation] += line.operation != "pick"
+    """How many operations of each kind the typical path takes; a column picked counts as one."""
+    total, lines = Counter(), typical(name)[2]
+    while lines:
+        line = lines.pop()
+        if line.operation in ("near", "near_pair"):
+            lines += near_lines(line.operands[0], line.operation == "near_pair")
+            continue
+        total[line.operation] += line.operation not in ("pick", "copy")
         total["pick"] += sum(isinstance(operand, tuple) for operand in line.operands)
     return +total
 
@@ -73,14 +88,18 @@ def address(array):
     return ctypes.c_void_p(array.ctypes.data)
 
 
-def contenders(library, names, x):
-    """Return {(name, version): callable without arguments}."""
-    value = np.empty_like(x)
-    found = {("numpy.exp", ""): lambda: np.exp(x, out=value), ("numpy.expm1", ""): lambda: np.expm1(x, out=value)}
-    size, pointers = ctypes.c_size_t(x.size), (address(x), address(value))
+def contenders(library, names, points):
+    """Return {(name, version): callable without arguments}, each on doubles spread over its typical range."""
+    rng = np.random.default_rng(1)
+    value, x = np.empty(points), rng.uniform(0.0, 10.0, points)
+    found = {("numpy.exp", ""): partial(np.exp, x, out=value), ("numpy.expm1", ""): partial(np.expm1, x, out=value)}
     for name in names:
+        drawn = rng.uniform(*typical(name)[:2], points)
+        pointers = (address(drawn), address(value))
         for version in supported():
-            found[name, version] = partial(getattr(library, f"gs_{name}_n_{version}"), size, *pointers)
+            call = partial(getattr(library, f"gs_{name}_n_{version}"), ctypes.c_size_t(points), *pointers)
+            call.kept = drawn  # the library holds its address only
+            found[name, version] = call
     return found
 
 
@@ -101,14 +120,16 @@ def medians(calls, rounds):
     return {key: statistics.median(values) for key, values in samples.items()}
 
 
-def latencies(library, names, x):
+def latencies(library, names):
     """Nanoseconds a scalar call, each waiting for the one before."""
     library.gs_latency.restype = ctypes.c_double
     library.gs_latency.argtypes = [ctypes.c_void_p, ctypes.c_double, ctypes.c_long]
     found = {}
     for name in names:
         function = ctypes.cast(getattr(library, f"gs_special_{name}"), ctypes.c_void_p)
-        found[name] = min(timed(lambda f=function: library.gs_latency(f, x, CALLS)) for _ in range(9)) / CALLS
+        begin, end, _ = typical(name)
+        x = begin + (end - begin) / 16
+        found[name] = min(timed(partial(library.gs_latency, function, x, CALLS)) for _ in range(9)) / CALLS
     return found
 
 
@@ -121,21 +142,20 @@ def main(arguments=None):
     options = parser.parse_args(arguments)
     compiler = [options.compiler] if options.compiler else find_compiler()
     library, names = build(compiler), list(KERNELS)
-    ends = [APPROXIMATIONS[KERNELS[name].banks[0]].partition.end for name in names]
-    x = np.random.default_rng(1).uniform(0.0, min(ends), options.points)
-    found = medians(contenders(library, names, x), options.rounds)
-    wait = latencies(library, names, 0.75)
+    found = medians(contenders(library, names, options.points), options.rounds)
+    wait = latencies(library, names)
     exp = found["numpy.exp", ""]
-    print(f"{options.points} doubles in [0, {min(ends)}), {' '.join(compiler)}, medians of {options.rounds} rounds;")
+    print(f"{options.points} doubles of each range, {' '.join(compiler)}, medians of {options.rounds} rounds;")
     expm1 = found["numpy.expm1", ""] / exp
     print(f"numpy.exp {exp / options.points:.2f} ns an element, numpy.expm1 {expm1:.2f} times that\n")
-    print(f"| primitive | operations | scalar, ns | {' | '.join(f'{v}, × exp' for v in supported())} |")
-    print("|---" * (3 + len(supported())) + "|")
+    print(f"| primitive | range | operations | scalar, ns | {' | '.join(f'{v}, × exp' for v in supported())} |")
+    print("|---" * (4 + len(supported())) + "|")
     for name in names:
         counts = operations(name)
         text = f"{sum(counts.values()) - counts['pick']} + {counts['pick']} picked"
         ratios = " | ".join(f"{found[name, version] / exp:.2f}" for version in supported())
-        print(f"| {name} | {text} | {wait[name]:.1f} | {ratios} |")
+        begin, end, _ = typical(name)
+        print(f"| {name} | {begin:.4g} to {end:.4g} | {text} | {wait[name]:.1f} | {ratios} |")
     return 0
 
 
