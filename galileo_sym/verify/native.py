@@ -1,11 +1,13 @@
 """The emitted C, compiled by the system's compiler into a private library and called on arrays."""
 
 import ctypes
+import hashlib
 import os
 import shlex
 import shutil
 import subprocess
 import tempfile
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -80,8 +82,31 @@ def compile_library(sources, target, compiler):
         raise CompilationError(f"{' '.join(compiler)} exits with {done.returncode}:\n{messages}")
 
 
+def _digest(folder):
+    """Return a hash of all that a compilation reads."""
+    total = hashlib.sha256()
+    for path in sorted(Path(folder).glob("*.[ch]")):
+        content = path.read_bytes()
+        total.update(f"{path.name} {len(content)} ".encode() + content)
+    return total.hexdigest()
+
+
+@cache
+def _loaded(folder, digest, compiler):
+    """Return the library of a folder's sources, compiled once in a process."""
+    # the loaded library keeps its pages after the folder is gone, so nothing is left behind
+    with tempfile.TemporaryDirectory(prefix="galileo-sym-") as build:
+        target = Path(build) / "libgalileo.so"
+        compile_library(sorted(Path(folder).glob("*.c")), target, list(compiler))
+        try:
+            return ctypes.CDLL(str(target))
+        except OSError as cause:  # such as a table that a lost or empty source should define
+            missing = str(cause).removeprefix(f"{target}: ")
+            raise CompilationError(f"the emitted C does not load ({missing}); run `galileo-sym emit`") from None
+
+
 class NativeLibrary:
-    """The functions of the emitted C as array functions.
+    """The functions of the emitted C as array functions; the same sources are compiled once in a process.
 
     Parameters
     ----------
@@ -100,15 +125,7 @@ class NativeLibrary:
 
     def __init__(self, folder, compiler=None):
         compiler = find_compiler() if compiler is None else compiler
-        # the loaded library keeps its pages after the folder is gone, so nothing is left behind
-        with tempfile.TemporaryDirectory(prefix="galileo-sym-") as build:
-            target = Path(build) / "libgalileo.so"
-            compile_library(sorted(Path(folder).glob("*.c")), target, compiler)
-            try:
-                self._library = ctypes.CDLL(str(target))
-            except OSError as cause:  # such as a table that a lost or empty source should define
-                missing = str(cause).removeprefix(f"{target}: ")
-                raise CompilationError(f"the emitted C does not load ({missing}); run `galileo-sym emit`") from None
+        self._library = _loaded(Path(folder), _digest(folder), tuple(compiler))
 
     def evaluate(self, function, force_set, arguments):
         """Results of the array form of one kernel.
