@@ -1,6 +1,6 @@
 """The functions worth emitting: arguments with units and domain, force sets, outputs, ledger ids."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cache
 
 from sympy import Symbol, Tuple, cos, sin, sqrt
@@ -21,6 +21,8 @@ class Argument:
 
 
 MEASURED = "within 1 ulp at every point sampled (claimed bound: 4 ulp; generated/certificates)"
+
+CERTIFIED = "within 0.51 ulp at every point sampled (claimed bound: 1 ulp; generated/certificates)"
 
 
 @dataclass(frozen=True)
@@ -43,7 +45,9 @@ class Function:
     """A public function.
 
     ``positional`` and ``keywords`` are argument names; ``variants`` maps each force set to its force arguments and its
-    printed equations (ledger ids). ``named`` gives the intermediate results that emitted code names, by symbol.
+    printed equations (ledger ids). ``solver`` names the function (template.function) that evaluates the whole stable
+    form, where that is no one chain of operations: cases, or an equation to be solved. ``domains`` gives the arguments
+    whose domain is not that of the table.
     """
 
     paper: str
@@ -54,6 +58,8 @@ class Function:
     variants: dict
     outputs: tuple
     accuracy: str = MEASURED
+    solver: str | None = None
+    domains: dict = field(default_factory=dict)
 
     @property
     def full_name(self):
@@ -68,7 +74,8 @@ class Function:
     def arguments(self, force_set):
         """Return the arguments of one variant, in order."""
         names = (*self.positional, *self.keywords, *self.variants[force_set][0])
-        return tuple(ARGUMENTS[self.paper][name] for name in names)
+        found = (ARGUMENTS[self.paper][name] for name in names)
+        return tuple(replace(one, domain=self.domains.get(one.name, one.domain)) for one in found)
 
     def ledger_id(self, force_set):
         """Return the ledger id of the stable form of one variant."""
@@ -99,6 +106,13 @@ ARGUMENTS = {
         ("g", "g", "m/s^2", "positive", "acceleration of gravity"),
         ("k", "k", "1/s", "nonnegative", "resistance coefficient over mass"),
         ("alpha", "alpha", "1", "nonnegative", "k v/g, resistance at launch speed over weight"),
+    ),
+    "lambert": _arguments(
+        ("x", "q", "1", "branch", "argument of W"),
+        ("a", "a", "1/s", "real", "coefficient of t"),
+        ("b", "b", "1", "real", "constant term"),
+        ("c", "c", "1", "real", "coefficient of the exponential"),
+        ("d", "d", "1/s", "real", "rate in the exponential"),
     ),
 }
 
@@ -213,19 +227,57 @@ _TABLE = (
         {"": ((), ("projectile.thm3",))},
         (Output("angle", "rad", "elevation of greatest range"),),
     ),
+    Function(
+        "lambert",
+        "w0",
+        "Principal real branch of the Lambert W function: the w >= -1 with w exp(w) = x.",
+        ("x",),
+        (),
+        {"": ((), ("projectile.res1",))},
+        (Output("w", "1", "W0(x), >= -1"),),
+        CERTIFIED,
+        solver="branches.w0",
+    ),
+    Function(
+        "lambert",
+        "wm1",
+        "Lower real branch of the Lambert W function: the w <= -1 with w exp(w) = x; -inf at 0, a pole.",
+        ("x",),
+        (),
+        {"": ((), ("projectile.def.W",))},
+        (Output("w", "1", "W-1(x), <= -1"),),
+        CERTIFIED,
+        solver="branches.wm1",
+        domains={"x": "lower branch"},
+    ),
+    Function(
+        "lambert",
+        "linear_exponential_roots",
+        "Real roots of a t + b + c exp(d t) = 0, by both branches of W; NaN for a root that does not exist.",
+        ("a", "b", "c", "d"),
+        (),
+        {"": ((), ("projectile.res3", "beyond.real-roots.two", "beyond.real-roots.one"))},
+        (Output("t0", "s", "root by W0"), Output("tm1", "s", "root by W-1")),
+        f"{CERTIFIED}, beside a double root, too",
+        solver="roots.linear_exponential_roots",
+    ),
 )
 
 FUNCTIONS = {function.full_name: function for function in _TABLE}
 
 
+_OF_EITHER_SIGN = {"theta", *(argument.symbol for argument in ARGUMENTS["lambert"].values())}
+
+
 def _symbol(name):
-    return Symbol(name, real=True) if name == "theta" else Symbol(name, positive=True)
+    return Symbol(name, real=True) if name in _OF_EITHER_SIGN else Symbol(name, positive=True)
 
 
 _D, _g, _t, _v, _k, _mu, _theta = (_symbol(s) for s in ("D", "g", "t", "v", "k", "mu", "theta"))
 
 # Intermediate results that emitted code names: factored out of any product that contains them, the first that fits.
 NAMED = {
+    "lambert": {},
     "chord": {
         "t0": (sqrt(_D * cos(_theta) / (_g * driving(_theta, _mu))), sqrt(_D / _g)),
         "fall": (_g * _t**2,),

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 from galileo_sym.catalogue import FUNCTIONS, ledger, stable
 
-__all__ = ["SymbolicFunction", "chord", "projectile"]
+__all__ = ["SymbolicFunction", "chord", "lambert", "projectile"]
 
 
 class SymbolicFunction:
@@ -52,4 +52,5 @@ def _namespace(paper):
 
 
 chord = _namespace("chord")
+lambert = _namespace("lambert")
 projectile = _namespace("projectile")

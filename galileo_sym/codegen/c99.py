@@ -1,7 +1,7 @@
 """The C99 back end: one source a paper, and the public header."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import call_text, clash_groups, counts_text, sources_text
+from galileo_sym.codegen.printing import SOLVER_TEXT, call_text, clash_groups, counts_text, sources_text
 from galileo_sym.codegen.schedule import schedule
 
 _DOMAIN_TESTS = {
@@ -78,6 +78,18 @@ def _result(function, force_set, output, node):
     return f"gs_settle({value}, {pairs})"
 
 
+def _solver_kernel(function, force_set):
+    """A kernel that hands over to a function of the templates."""
+    passed = [a.name for a in function.arguments(force_set)]
+    passed += [] if _single(function) else [o.name for o in function.outputs]
+    name = f"gs_{function.solver.split('.')[1]}"
+    return (
+        f"/* {sources_text(function, force_set)}.\n * {SOLVER_TEXT} */\n"
+        f"{_scalar_signature(function, force_set, force_set, 'double')}\n{{\n"
+        f"    {'return ' * _single(function)}{name}({', '.join(passed)});\n}}\n"
+    )
+
+
 def kernel(function, force_set):
     """Return the definition of one scalar kernel of doubles.
 
@@ -87,6 +99,8 @@ def kernel(function, force_set):
     force_set : str
         A key of ``function.variants``.
     """
+    if function.solver:
+        return _solver_kernel(function, force_set)
     plan = schedule(function, force_set)
     arguments = function.arguments(force_set)
     symbols = {a.symbol: a.name for a in arguments}

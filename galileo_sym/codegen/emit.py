@@ -17,6 +17,17 @@ from galileo_sym.codegen import c99, frames, kernels, numpy, tables
 
 PINNED = {"sympy": "1.14.0", "mpmath": "1.3.0"}
 KEPT = ("certificates",)  # reviewed and committed by other means, never written here
+_NUMPY_TEMPLATES = (
+    "_angle.py",
+    "_branches.py",
+    "_elementary.py",
+    "_excess.py",
+    "_kernel.py",
+    "_primitives.py",
+    "_roots.py",
+    "_scaled.py",
+)
+_C_TEMPLATES = ("branches.c", "elementary.c", "excess.c", "primitives.c", "roots.c")
 _TEMPLATES = resources.files("galileo_sym.codegen") / "templates"
 
 
@@ -62,7 +73,7 @@ def _papers():
 def _sources():
     """Return the text of every file but the manifest, by path."""
     files = {"__init__.py": _python("the catalogue", '"""Emitted code: NumPy modules here, C99 in c/."""\n')}
-    for name in ("_angle.py", "_kernel.py", "_primitives.py", "_scaled.py"):
+    for name in _NUMPY_TEMPLATES:
         files[name] = _python(f"templates/numpy/{name}", _template(f"numpy/{name}"))
     files["_tables.py"] = _python("the tables of galileo_sym.primitives", tables.numpy_tables())
     for paper in _papers():
@@ -72,7 +83,6 @@ def _sources():
     files["c/galileo.h"] = _c("the catalogue", header)
     support = _template("c/galileo_support.h").replace("@SIZES@\n", tables.c_sizes())
     files["c/galileo_support.h"] = _c("templates/c/galileo_support.h", support)
-    files["c/primitives.c"] = _c("templates/c/primitives.c", _template("c/primitives.c"))
     for name in ("galileo_vector.h", "galileo_loops.h"):
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/galileo_kernels.h"] = _c("the coefficients of galileo_sym.primitives", kernels.kernels_header())
@@ -82,6 +92,8 @@ def _sources():
         text = kernels.target_source(target, suffix)
         files[f"c/special_{suffix}.c"] = _c("templates/c/special_target.c", text)
     files["c/special.c"] = _c("templates/c/special.c", kernels.public_source(_template("c/special.c")))
+    for name in _C_TEMPLATES:
+        files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/tables.c"] = _c("the tables of galileo_sym.primitives", tables.c_tables())
     return files
 

@@ -1,7 +1,7 @@
 """The NumPy back end: one module a paper, importing NumPy alone."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import call_text, clash_groups, counts_text, sources_text
+from galileo_sym.codegen.printing import SOLVER_TEXT, call_text, clash_groups, counts_text, sources_text
 from galileo_sym.codegen.schedule import TABLE_CALLS, schedule
 
 _SCALED = ("add", "constant", "div", "load", "mul", "scale", "sqrt", "sub")
@@ -14,13 +14,13 @@ def _kernel_name(function, force_set):
     return f"{function.name}_{force_set}" if force_set else function.name
 
 
-def _docstring(function, force_set, plan):
+def _docstring(function, force_set, operations):
     arguments = "\n".join(f"    {a.name} [{a.unit}]: {a.doc}" for a in function.arguments(force_set))
     results = "\n".join(f"    {o.name} [{o.unit}]: {o.doc}" for o in function.outputs)
     return (
         f'    """{function.doc}\n\n{arguments}\n\n    Returns\n{results}\n\n'
         f"    From {sources_text(function, force_set)}.\n"
-        f'    Operations: {counts_text(plan)}.\n    """\n'
+        f'    {operations}\n    """\n'
     )
 
 
@@ -46,6 +46,15 @@ def _settle(output, undecided, held):
     return f"settle({', '.join(options)})"
 
 
+def _solver_kernel(function, force_set):
+    """A kernel that hands over to a function of the templates."""
+    names = ", ".join(a.name for a in function.arguments(force_set))
+    return (
+        f"def {_kernel_name(function, force_set)}({names}):\n"
+        f"{_docstring(function, force_set, SOLVER_TEXT)}    return _{function.solver}({names})\n"
+    )
+
+
 def kernel(function, force_set):
     """Return the source of one kernel.
 
@@ -60,6 +69,8 @@ def kernel(function, force_set):
     str
         A Python function of float64 arrays.
     """
+    if function.solver:
+        return _solver_kernel(function, force_set)
     plan = schedule(function, force_set)
     held = any(node[0] == "driving" for _, node in plan.steps)
     arguments = function.arguments(force_set)
@@ -68,7 +79,7 @@ def kernel(function, force_set):
     clashes, undecided = _undecided(function, force_set)
     lines = [
         f"def {_kernel_name(function, force_set)}({', '.join(names)}):",
-        _docstring(function, force_set, plan).rstrip("\n"),
+        _docstring(function, force_set, f"Operations: {counts_text(plan)}.").rstrip("\n"),
         "    arguments, void = admit(",
         *(f'        ({a.name}, "{a.domain}"),' for a in arguments),
         "    )",
@@ -114,6 +125,8 @@ def module(paper):
         for source, names in _MODULES.items()
         if (used := [name for name in sorted(names) if f"{name}(" in text])
     )
+    solvers = sorted({f"_{f.solver.split('.')[0]}" for f in functions if f.solver})
+    imports += f"from . import {', '.join(solvers)}\n" if solvers else ""
     infinity = "from math import inf\n\n" if "=inf" in text else ""
     table = "".join(_dispatch(f) for f in functions)
     return (

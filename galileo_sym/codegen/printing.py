@@ -1,5 +1,7 @@
 """What both languages share: nodes as nested calls, operation counts and sources in words, undecided limits."""
 
+SOLVER_TEXT = "Operations: as its cases need, at most a few dozen in pairs."
+
 
 def call_text(node, prefix):
     """Return a node as nested calls, each operation with a prefix.

@@ -1,9 +1,19 @@
 """The tables in both languages."""
 
 from galileo_sym.primitives.fit import PER_BINADE
-from galileo_sym.primitives.tables import ANGLE_STEPS, DEGREE, TABLES, angle_rows, constants, pieces, series_rows
+from galileo_sym.primitives.tables import (
+    ANGLE_STEPS,
+    DEGREE,
+    TABLES,
+    angle_rows,
+    constants,
+    pair_rows,
+    pieces,
+    series_rows,
+)
 
 _SERIES_TERMS = 9
+_PAIR_TERMS = {"atanh": 21, "growth": 10}
 
 
 def _numbers(values, indent, per_line):
@@ -21,8 +31,11 @@ def numpy_tables():
     out.append(f"PER_BINADE = {PER_BINADE}\nANGLE_STEPS = {ANGLE_STEPS}\n")
     values = constants()
     out.append(f"HALF_PI = {values['half_pi']!r}\nLOG_2 = {values['log_2']!r}\n")
+    out.append(f"E = {values['e']!r}\nINVERSE_E = {values['inverse_e']!r}\n")
     for name, key in (("SINC", "sinc"), ("COSM1", "cosm1")):
         out.append(f"{name} = {series_rows(key, _SERIES_TERMS)!r}\n")
+    for name, count in _PAIR_TERMS.items():
+        out.append(f"{name.upper()} = {pair_rows(name, count)!r}\n")
     for name, column in (("SINE", 0), ("COSINE", 1)):
         rows = "".join(f"        [\n{_numbers(_parts(column, part), ' ' * 12, 4)},\n        ],\n" for part in range(3))
         out.append(f"{name} = np.array(\n    [\n{rows}    ]\n)\n")
@@ -56,6 +69,8 @@ def c_tables():
 
     for name, key in (("gs_sinc", "sinc"), ("gs_cosm1", "cosm1")):
         out.append(f"const double {name}[GS_SERIES_TERMS][3] = {{\n{pairs(series_rows(key, _SERIES_TERMS))}\n}};\n\n")
+    for name, count in _PAIR_TERMS.items():
+        out.append(f"const double gs_{name}[{count}][2] = {{\n{pairs(pair_rows(name, count))}\n}};\n\n")
     for name, column in (("gs_sine_table", 0), ("gs_cosine_table", 1)):
         rows = pairs(row[column] for row in angle_rows())
         out.append(f"const double {name}[{len(angle_rows())}][3] = {{\n{rows}\n}};\n\n")
@@ -78,4 +93,5 @@ def c_sizes():
     return (
         f"#define GS_PER_BINADE {PER_BINADE}\n#define GS_ANGLE_STEPS {ANGLE_STEPS}\n#define GS_DEGREE {DEGREE}\n"
         f"#define GS_ROW {DEGREE + 3}\n#define GS_SERIES_TERMS {_SERIES_TERMS}\n"
+        + "".join(f"#define GS_{name.upper()}_TERMS {count}\n" for name, count in _PAIR_TERMS.items())
     )

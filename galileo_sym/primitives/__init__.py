@@ -1,7 +1,8 @@
 """The few one-variable functions behind everything: definition, value at any precision, approximation."""
 
+from galileo_sym.primitives.branches import OF_BRANCHES, branch_factor, w0_offset, wm1_offset
+from galileo_sym.primitives.functions import FUNCTIONS as OF_MOTION
 from galileo_sym.primitives.functions import (
-    FUNCTIONS,
     Primitive,
     best_angle,
     best_sine,
@@ -14,11 +15,14 @@ from galileo_sym.primitives.functions import (
 )
 from galileo_sym.primitives.multiprecision import mp_value
 
+FUNCTIONS = {**OF_MOTION, **OF_BRANCHES}
+
 __all__ = [
     "FUNCTIONS",
     "Primitive",
     "best_angle",
     "best_sine",
+    "branch_factor",
     "descent_factor",
     "driving",
     "flight_factor",
@@ -26,4 +30,6 @@ __all__ = [
     "phi1",
     "phi2",
     "range_factor",
+    "w0_offset",
+    "wm1_offset",
 ]

@@ -72,6 +72,34 @@ def _omega_root(y):
     return _certain_root(lambda w: w + mp.log(w) - y, lambda w: 1 + 1 / w, y - mp.log(y) if y > 2 else mpf(1))
 
 
+def _w0_offset(x):
+    """1 + W0(-exp(-1 - x)) = 1 - exp(-tau), for tau - 1 + exp(-tau) = x."""
+    return -mp.expm1(-_descent_root(mp.sqrt(2 * x))) if x else mpf(0)
+
+
+def _log_lag(s):
+    """s - log(1 + s) for s > 0, with the bits that the subtraction costs."""
+    with mp.extraprec(10 + 2 * max(0, -mp.mag(s))):
+        return s - mp.log1p(s)
+
+
+def _wm1_offset(x):
+    """1 + W-1(-exp(-1 - x)) = -s, for s - log(1 + s) = x."""
+    if not x:
+        return mpf(0)
+    p = mp.sqrt(2 * x)
+    start = p + x * 2 / 3 if x < 1 else x + mp.log(1 + x) + 1
+    return -_certain_root(lambda s: _log_lag(s) - x, lambda s: s / (1 + s), start)
+
+
+def _branch_factor(r):
+    """exp(-W0(x)) at r = sqrt(2 (1 + e x)): by the offset for x < 0, where -x = exp(-1 - y)."""
+    square = r**2 / 2
+    if square < 1:
+        return mp.exp(1 - _w0_offset(-mp.log1p(-square)))
+    return mp.exp(-mp.lambertw((square - 1) / mp.e).real)
+
+
 def _best_sine(a):
     return a / mp.expm1(_best_root(a)) if a else mp.sqrt(mpf(1) / 2)
 
@@ -88,6 +116,9 @@ _VALUES = {
     "range_factor": _range_factor,
     "best_sine": _best_sine,
     "best_angle": lambda a: mp.asin(_best_sine(a)),
+    "w0_offset": _w0_offset,
+    "wm1_offset": _wm1_offset,
+    "branch_factor": _branch_factor,
     "wright_omega": _omega_root,
     "log1p": mp.log1p,
 }
@@ -100,7 +131,8 @@ def mp_value(name, x):
     ----------
     name : str
         ``phi1`` or ``phi2`` (x real), ``descent_factor``, ``flight_factor``, ``range_factor``, ``best_sine``,
-        ``best_angle``, ``log1p`` or ``wright_omega`` (x >= 0). All dimensionless; ``best_angle`` in radians.
+        ``best_angle``, ``w0_offset``, ``wm1_offset``, ``branch_factor``, ``log1p`` or ``wright_omega`` (x >= 0). All
+        dimensionless; ``best_angle`` in radians.
     x : real number
         Taken exactly.
 

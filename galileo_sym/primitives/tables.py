@@ -46,6 +46,11 @@ def _of(name, sign=1):
     return lambda x: mp_value(name, sign * x)
 
 
+def _over_root(name, sign=1):
+    """An offset of W over its leading term p, at p = sqrt(2 x); 1 at 0."""
+    return lambda p: sign * mp_value(name, p**2 / 2) / p if p else mpf(1)
+
+
 # x_max: where the terms that the far form leaves out fall below 2**-57 of the value.
 TABLES = {
     table.name: table
@@ -75,6 +80,11 @@ TABLES = {
         ),
         Table("best_angle", _of("best_angle"), 1023.0, None, "asin(a/(exp(s) - 1)) with 1 + (s - 1) exp(s) = a^2"),
         Table("wright_omega", _of("wright_omega"), 1535.0, None, "w with w + log(w) = y"),
+        Table("principal", _of("branch_factor"), 3.0, None, "exp(-W0(x)) at sqrt(2 (1 + e x))"),
+        Table("w0_offset", _over_root("w0_offset"), 11.0, None, "(1 + W0(-exp(-1 - x)))/sqrt(2 x) at sqrt(2 x)"),
+        Table(
+            "wm1_offset", _over_root("wm1_offset", -1), 47.0, None, "-(1 + W-1(-exp(-1 - x)))/sqrt(2 x) at sqrt(2 x)"
+        ),
         Table("log1p", _of("log1p"), 1.0, None, "log(1 + x)"),
     )
 }
@@ -124,8 +134,16 @@ def series_rows(name, count):
 
 
 @cache
+def pair_rows(name, count):
+    """Return series coefficients as two doubles: ``atanh``, 1/(2 k + 1), or ``growth``, 1/(k + 1)!, from k = 0 on."""
+    term = {"atanh": lambda k: mpf(1) / (2 * k + 1), "growth": lambda k: 1 / mp.factorial(k + 1)}[name]
+    with mp.workdps(70):
+        return tuple(split(term(k), 2) for k in range(count))
+
+
+@cache
 def constants():
-    """Return the constants emitted code needs: pi/2 and log(2) as sums of doubles.
+    """Return the constants emitted code needs: pi/2, log(2), e and 1/e as sums of doubles.
 
     The first part of log(2) has 32 bits, so that its product with an exponent is exact.
     """
@@ -134,4 +152,6 @@ def constants():
         return {
             "half_pi": split(mp.pi / 2, 4),
             "log_2": (float(head), *split(mp.log(2) - head, 2)),
+            "e": split(mp.e, 2),
+            "inverse_e": split(mp.exp(-1), 3),
         }

@@ -1,7 +1,8 @@
 """Rigorous enclosures by interval arithmetic: the few operations the printed equations need.
 
-Intervals are those of `mpmath` (outward rounding of + - * / sqrt). Its exponential, sine and cosine carry guard bits
-but no proof of the last one, so they are evaluated with 16 bits to spare and widened by 2**14 times their stated error.
+Intervals are those of `mpmath` (outward rounding of + - * / sqrt). Its exponential, logarithm, sine and cosine carry
+guard bits but no proof of the last one, so they are evaluated with 16 bits to spare and widened by 2**14 times their
+stated error.
 """
 
 from typing import NamedTuple
@@ -40,6 +41,7 @@ class Enclosure(NamedTuple):
 
 INFINITE = Enclosure(libmp.finf, libmp.finf)
 ZERO = Enclosure(libmp.fzero, libmp.fzero)
+ABSENT = Enclosure(libmp.fnan, libmp.fnan)  # of a root that does not exist: the result has to be NaN
 
 
 def number(value):
@@ -81,6 +83,15 @@ def exponential(x):
     bits = CONTEXT.prec + _GUARD_BITS
     lower = libmp.mpf_exp(low, bits, libmp.round_nearest)
     upper = lower if low == high else libmp.mpf_exp(high, bits, libmp.round_nearest)
+    return _widened(lower, upper)
+
+
+def logarithm(x):
+    """Enclosure of log over an interval of positive numbers."""
+    low, high = x._mpi_
+    bits = CONTEXT.prec + _GUARD_BITS
+    lower = libmp.mpf_log(low, bits, libmp.round_nearest)
+    upper = lower if low == high else libmp.mpf_log(high, bits, libmp.round_nearest)
     return _widened(lower, upper)
 
 
@@ -189,6 +200,8 @@ def proved_root(increasing, target, near):
 
 def _is_certain(result):
     """Whether an enclosure is narrower than 2**-90 of its magnitude (or scale)."""
+    if result == ABSENT:
+        return True
     width = libmp.mpf_sub(result.high, result.low, 30, libmp.round_up)
     if width == libmp.fzero or result == INFINITE:
         return True

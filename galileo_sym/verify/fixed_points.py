@@ -33,6 +33,20 @@ def _projectile_scene(rates):
     ]
 
 
+def _impact_scene():
+    """The impact equation of figure 4, -k t - u + u exp(-k t) = 0 with u = -1 - (k v/g) sin(theta)."""
+    lifts = [(k, -1.0 - k * 50.0 / 32.2 * share) for k in (0.1, 0.5, 2.0) for share in (0.1, 0.5, 0.9)]
+    return [{"a": -k, "b": -u, "c": u, "d": -k} for k, u in lifts]
+
+
+def _descent_scene():
+    """(30) in the form t - (1 + c)/gamma + exp(-gamma t)/gamma = 0, both roots, with c = gamma**2 D/g."""
+    rates = (0.01, 0.1, 0.5, 1.0, 4.0)
+    return [{"a": 1.0, "b": -(1 / k + k / 9.81), "c": 1 / k, "d": -k} for k in rates]
+
+
+_DESCENT_ARGUMENTS = [{"x": -math.exp(-1.0 - rate * rate / 9.81)} for rate in (0.1, 0.5, 1.0, 3.0, 10.0)]
+
 SCENES = {
     ("chord", "free"): _chord_scene(0.0, 0.0),
     ("chord", "friction"): _chord_scene(0.50, 0.0),
@@ -41,6 +55,9 @@ SCENES = {
     ("projectile", "free"): _projectile_scene((0.0,)),
     ("projectile", "drag"): _projectile_scene((0.1, 0.25, 0.5, 1.0, 2.0)),
     ("projectile", "all"): [{"alpha": k * 50.0 / 32.2} for k in (0.0, 0.05, 0.1, 0.25, 0.5, 0.644, 1.0, 2.0, 5.0)],
+    ("lambert.w0", "all"): [{"x": x} for x in (0.0, 1.0, math.e, 10.0)] + _DESCENT_ARGUMENTS,
+    ("lambert.wm1", "all"): _DESCENT_ARGUMENTS,
+    ("lambert.linear_exponential_roots", "all"): _impact_scene() + _descent_scene(),
 }
 
 _LEVEL = {"theta": 0.0, "diameter": 1.0, "g": 9.81}
@@ -65,5 +82,20 @@ KNOWN_HARD = {
     ("projectile.flight_time", "drag"): [{**_THROW, "k": 1e-9}, {**_THROW, "k": 1e-8}],
     ("projectile.horizontal_range", "drag"): [{**_THROW, "k": 1e-9}, {**_THROW, "k": 1e-8}],
     ("projectile.position", "drag"): [{**_THROW, "t": 0.5, "k": 1e-9}],
+    ("lambert.w0", "all"): [{"x": x} for x in (-0.3678794411714423, 5e-324, -5e-324, 1.7976931348623157e308)],
+    ("lambert.wm1", "all"): [{"x": x} for x in (-0.3678794411714423, -5e-324)],
+    ("lambert.linear_exponential_roots", "all"): [
+        dict(zip("abcd", coefficients, strict=True))
+        for coefficients in (
+            (1.0, 2.0, -1.0, 1.0),
+            (1.0, 1.0, -1.0, 1.0),
+            (1.0, 1.0 + 2.0**-52, -1.0 - 2.0**-52, 1.0),
+            (1.0, 1.0, -1.0 - 2.0**-52, 1.0),
+            (1.0, -1e300, 3.0, 1.0),
+            (1.0, 1e300, -3.0, 1.0),
+            (1e250, 1.0, -1e-300, 1e250),
+            (1e-300, 1e200, -1e300, 1e150),
+        )
+    ],
     ("projectile.best_angle", "all"): [{"alpha": alpha} for alpha in (1.0 + 2.0**-52, 1.0, 1.5e-8, 1e155, 1e200)],
 }

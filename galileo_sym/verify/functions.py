@@ -11,6 +11,8 @@ CLAIMED_BOUND = 4.0
 
 _POSITIVE = ("diameter", "g", "v")
 _RIGHT_ANGLE = math.pi / 2
+_ABOVE_BRANCH_POINT = -float.fromhex("0x1.78b56362cef37p-2")  # the least double above -1/e
+_ANY = (-math.inf, math.inf)
 
 
 @dataclass(frozen=True)
@@ -31,6 +33,8 @@ class Function:
         The error it claims not to exceed, in ulp.
     unit : dict of str to str
         The unit of the error of an output that is not measured in ulps of the result.
+    ranges : dict of str to (float, float)
+        Least and greatest value of an argument that is not restricted as in all other functions.
     """
 
     paper: str
@@ -41,6 +45,7 @@ class Function:
     outputs: tuple
     bound: float = CLAIMED_BOUND
     unit: dict = field(default_factory=dict)
+    ranges: dict = field(default_factory=dict)
 
     @property
     def full_name(self):
@@ -60,7 +65,9 @@ class Function:
         angles = (-_RIGHT_ANGLE if self.paper == "chord" else 0.0, _RIGHT_ANGLE)
         least = {"theta": angles[0], **dict.fromkeys(_POSITIVE, math.ulp(0.0))}
         greatest = {"theta": angles[1]}
-        return [n for n, x in point.items() if not least.get(n, 0.0) <= x <= greatest.get(n, math.inf)]
+        usual = {n: (least.get(n, 0.0), greatest.get(n, math.inf)) for n in point}
+        ranges = {**usual, **self.ranges}
+        return [n for n, x in point.items() if not ranges[n][0] <= x <= ranges[n][1]]
 
 
 _TABLE = (
@@ -80,6 +87,18 @@ _TABLE = (
         unit={"y": "ulp of the larger of its two terms"},
     ),
     Function("projectile", "best_angle", ("alpha",), (), ONE_LAW, ("angle",)),
+    Function("lambert", "w0", ("x",), (), ONE_LAW, ("w",), 1.0, ranges={"x": (_ABOVE_BRANCH_POINT, math.inf)}),
+    Function("lambert", "wm1", ("x",), (), ONE_LAW, ("w",), 1.0, ranges={"x": (_ABOVE_BRANCH_POINT, -math.ulp(0.0))}),
+    Function(
+        "lambert",
+        "linear_exponential_roots",
+        ("a", "b", "c", "d"),
+        (),
+        ONE_LAW,
+        ("t0", "tm1"),
+        1.0,
+        ranges=dict.fromkeys("abcd", _ANY),
+    ),
 )
 
 FUNCTIONS = {function.full_name: function for function in _TABLE}

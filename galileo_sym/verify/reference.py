@@ -9,6 +9,7 @@ import math
 
 from mpmath import libmp
 
+from . import lambert_reference
 from .enclosure import (
     CONTEXT,
     INFINITE,
@@ -244,6 +245,9 @@ _EQUATIONS = {
     "projectile.horizontal_range": _horizontal_range,
     "projectile.position": _position,
     "projectile.best_angle": _best_angle,
+    "lambert.w0": lambert_reference.w0,
+    "lambert.wm1": lambert_reference.wm1,
+    "lambert.linear_exponential_roots": lambert_reference.linear_exponential_roots,
 }
 
 
@@ -261,7 +265,8 @@ def reference(function, arguments):
     -------
     tuple of Enclosure
         One for each output, of relative width below 2**-90 (projectile y: relative to its larger term);
-        `INFINITE` for the descent time of a bead at rest, `ZERO` for its distance and position.
+        `INFINITE` for the descent time of a bead at rest, `ZERO` for its distance and position, `ABSENT` for a root
+        that does not exist.
 
     Raises
     ------

@@ -5,33 +5,15 @@ variable the kernel does not have are left out of its list.
 """
 
 import math
-from collections.abc import Callable
-from typing import NamedTuple
 
 from .enclosure import nearest_float
 from .fixed_points import KNOWN_HARD, SCENES
+from .lambert_strata import STRATA as LAMBERT
 from .reference import reference
 from .sampling import HALF_PI, critical_angle, critical_friction, grid_end, step
+from .stratum import Stratum
 
 _NEAR = 64  # places within which "near" is tried
-
-
-class Stratum(NamedTuple):
-    """A region of the inputs.
-
-    Attributes
-    ----------
-    name : str
-        As shown, and as recorded in certificates.
-    needs : tuple of str
-        Variables the kernel must have for the stratum to apply.
-    draw : callable
-        Takes a `Draw` and the set of the kernel's variables, gives a dict of floats.
-    """
-
-    name: str
-    needs: tuple
-    draw: Callable
 
 
 def _tiny(draw):
@@ -225,6 +207,8 @@ _BEST_ANGLE = (
 
 def random_strata(function, force_set):
     """The strata drawn at random for one kernel, in the order of the tables."""
+    if function.paper == "lambert":
+        return list(LAMBERT[function.name])
     if "alpha" in function.positional:
         return list(_BEST_ANGLE)
     table = {"chord": _CHORD, "projectile": _PROJECTILE}[function.paper]
@@ -235,7 +219,7 @@ def random_strata(function, force_set):
 def fixed_strata(function, force_set):
     """Names and points of the strata that are lists."""
     lists = {
-        "scenes": SCENES[function.paper, force_set],
+        "scenes": SCENES.get((function.full_name, force_set)) or SCENES[function.paper, force_set],
         "known-hard": KNOWN_HARD.get((function.full_name, force_set), []),
     }
     return {name: points for name, points in lists.items() if points}

@@ -77,9 +77,12 @@ def ulp_error(value, enclosure, form=BINARY64):
     float
         |value - exact| / ulp(exact), rounded up. A unit is 2**lowest where the exact result is subnormal or 0. If the
         enclosure spans a binade boundary the smaller unit counts. An infinity is right where the exact result rounds
-        to it, and stands for 2**(highest + precision) elsewhere. NaN and infinities of the wrong sign err by inf.
+        to it, and stands for 2**(highest + precision) elsewhere. NaN and infinities of the wrong sign err by inf, as
+        does a number where there is no result.
     """
     value = float(value)
+    if enclosure.low == libmp.fnan:
+        return 0.0 if math.isnan(value) else math.inf
     if math.isnan(value):
         return math.inf
     if enclosure.low in (libmp.finf, libmp.fninf):
@@ -104,7 +107,7 @@ def representable(enclosure, form=BINARY64):
     """Whether the exact result lies in the range of the format: not below its subnormals, not rounded to infinity."""
     if enclosure.low == enclosure.high == libmp.fzero:
         return True
-    if enclosure.low == libmp.finf:
+    if enclosure.low in (libmp.finf, libmp.fnan):
         return True
     size = _least(enclosure) if enclosure.scale is None else enclosure.scale
     return size != libmp.fzero and size[2] + size[3] > form.lowest and not _rounds_to_infinity(size, form)

@@ -7,7 +7,7 @@
 #define GS_PASSES 4
 
 /* The value at x + x_lo, 0 <= x <= x_max. */
-static gs_pair gs_lookup(const gs_table *table, double x, double x_lo)
+gs_pair gs_lookup(const gs_table *table, double x, double x_lo)
 {
     int e;
     const double m = frexp(1.0 + x, &e);

@@ -136,8 +136,55 @@ def best_angle(alpha):
         return mp.asin(alpha * w / (alpha**2 - 1 - w))
 
 
+@_precise
+def w0(x):
+    with mp.workprec(_spare(x)):
+        return mp.lambertw(mpf(x)).real
+
+
+@_precise
+def wm1(x):
+    with mp.workprec(_spare(x)):
+        return mp.lambertw(mpf(x), -1).real
+
+
+def _settled(step, w):
+    """The limit of Newton steps."""
+    for _ in range(200):
+        change = step(w)
+        w = max(w - change, w / 8)
+        if abs(change) < w * mp.eps * 64:
+            return w
+    raise ArithmeticError("Newton did not settle")
+
+
+def _root(w, b, a, d):
+    t = (-b * d / a - w) / d
+    return mpf(0) if abs(t * d) < mp.eps * 2**100 else t  # what is left of two equal terms
+
+
+@_precise
+def linear_exponential_roots(a, b, c, d):
+    """Both by result (3), None where there is none; W from the logarithm of w e^w = Q: Q itself may be anything."""
+    with mp.workprec(2 * _spare(a, b, c, d) + 200):
+        a, b, c, d = map(mpf, (a, b, c, d))
+        log_q = mp.log(abs(c * d / a)) - b * d / a
+        if c * d / a > 0:
+            start = mp.exp(log_q) if log_q < 0 else max(log_q, mpf(1) / 2)
+            w = _settled(lambda w: (w + mp.log(w) - log_q) / (1 + 1 / w), start)
+            return _root(w, b, a, d), None
+        if log_q > -1:
+            return None, None
+        start = mp.exp(log_q) if log_q < -2 else mpf(1) / 2
+        w = _settled(lambda w: (-w + mp.log(w) - log_q) / (1 / w - 1), start)
+        far = _settled(lambda w: (w - mp.log(w) + log_q) / (1 - 1 / w), 1 - 2 * log_q)
+        return _root(-w, b, a, d), _root(-far, b, a, d)
+
+
 def ulps(value, exact, scale=None, bits=53):
-    """Error of a float in units in the last place of the exact value, or of another one."""
+    """Error of a float in units in the last place of the exact value, or of another one; None stands for no value."""
+    if exact is None:
+        return 0.0 if math.isnan(value) else math.inf
     scale = abs(exact if scale is None else scale)
     if not math.isfinite(value):
         return 0.0 if value == float(exact) else math.inf

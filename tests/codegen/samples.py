@@ -24,6 +24,17 @@ def _frictions(rng, n, width, theta):
     return np.choose(rng.integers(0, 3, n), [anything, below, close])
 
 
+_BRANCH_POINT = 0.3678794411714423
+
+
+def _of_branch(rng, n, width, domain):
+    """Arguments of W on either side of 0, or on its lower branch; some close to the branch point."""
+    close = -_BRANCH_POINT * (1 - 10.0 ** rng.uniform(-16, 0, n))
+    small = -_BRANCH_POINT * 10.0 ** rng.uniform(-width, 0, n)
+    large = 10.0 ** rng.uniform(-width, width, n) if domain == "branch" else small
+    return np.choose(rng.integers(0, 3, n), [close, small, large])
+
+
 def arguments(function, force_set, n, width, seed):
     """Return one array for each argument of a kernel, log-uniform over 10**-width to 10**width."""
     rng = np.random.default_rng(seed)
@@ -33,6 +44,10 @@ def arguments(function, force_set, n, width, seed):
             drawn["theta"] = _angles(rng, n, argument.domain == "chord angle")
         elif argument.name == "mu":
             drawn["mu"] = _frictions(rng, n, width, drawn.get("theta", np.full(n, 0.7)))
+        elif argument.domain in ("branch", "lower branch"):
+            drawn[argument.name] = _of_branch(rng, n, width, argument.domain)
+        elif argument.domain == "real":
+            drawn[argument.name] = rng.choice([-1.0, 1.0], n) * 10.0 ** rng.uniform(-width, width, n)
         else:
             drawn[argument.name] = 10.0 ** rng.uniform(-width, width, n)
     return drawn

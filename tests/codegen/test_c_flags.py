@@ -33,14 +33,58 @@ CASES = [
     ("gs_projectile_best_angle(1e300)", "isfinite", "0"),
     ("gs_projectile_best_angle(INFINITY)", "is_zero", "0"),
     ("gs_projectile_best_angle(-1.0)", "isnan", "FE_INVALID"),
+    ("gs_lambert_w0(-0x1.78b56362cef37p-2)", "isfinite", "0"),
+    ("gs_lambert_w0(-0x1.78b56362cef38p-2)", "isnan", "FE_INVALID"),
+    ("gs_lambert_w0(5e-324)", "isfinite", "0"),
+    ("gs_lambert_w0(-1e-300)", "isfinite", "0"),
+    ("gs_lambert_w0(DBL_MAX)", "isfinite", "0"),
+    ("gs_lambert_w0(INFINITY)", "isinf", "0"),
+    ("gs_lambert_w0(NAN)", "isnan", "0"),
+    ("gs_lambert_wm1(-0x1.78b56362cef37p-2)", "isfinite", "0"),
+    ("gs_lambert_wm1(-0x1.78b56362cef38p-2)", "isnan", "FE_INVALID"),
+    ("gs_lambert_wm1(-5e-324)", "isfinite", "0"),
+    ("gs_lambert_wm1(0.0)", "isinf", "FE_DIVBYZERO"),
+    ("gs_lambert_wm1(1.0)", "isnan", "FE_INVALID"),
+    ("gs_lambert_wm1(NAN)", "isnan", "0"),
+    *(
+        (f"root({branch}, {equation})", kind, flags)
+        for equation, kinds, flags in (
+            ("1.0, 2.0, -1.0, 1.0", ("isfinite", "isfinite"), "0"),
+            ("1.0, 2.0, 1.0, 1.0", ("isfinite", "isnan"), "0"),
+            ("1.0, 1.0, -1.0, 1.0", ("is_zero", "is_zero"), "0"),
+            ("1.0, 1.0 + DBL_EPSILON, -1.0 - DBL_EPSILON, 1.0", ("isfinite", "is_zero"), "0"),
+            ("1.0, 1.0, -1.0 - DBL_EPSILON, 1.0", ("isnan", "isnan"), "0"),
+            ("1.0, 1e300, -3.0, 1.0", ("isfinite", "isfinite"), "0"),
+            ("1.0, -1e300, 3.0, 1.0", ("isfinite", "isnan"), "0"),
+            ("1e250, 1.0, -1e-300, 1e250", ("isfinite", "isfinite"), "0"),
+            ("1.0, 1e-300, -3e-300, 1.0", ("isfinite", "isfinite"), "0"),
+            ("INFINITY, 1.0, -2.0, 1.0", ("is_zero", "isinf"), "0"),
+            ("1.0, 2.0, -3.0, INFINITY", ("isfinite", "is_zero"), "0"),
+            ("1.0, 1.0, -2.0, INFINITY", ("isfinite", "is_zero"), "0"),
+            ("-0x1p-130, -0x1p960, 0x1p920, 0x1p-140", ("isinf", "isfinite"), "FE_OVERFLOW"),
+            ("INFINITY, INFINITY, -2.0, 1.0", ("isnan", "isnan"), "FE_INVALID"),
+            ("0.0, 1.0, 0.0, 1.0", ("isnan", "isnan"), "FE_INVALID"),
+            ("0.0, 1.0, 1.0, 1.0", ("isnan", "isnan"), "0"),
+            ("NAN, INFINITY, INFINITY, 1.0", ("isnan", "isnan"), "0"),
+            ("1e308, 1.0, 1.0, 1e-308", ("isfinite", "isnan"), "FE_UNDERFLOW"),
+        )
+        for branch, kind in enumerate(kinds)
+    ),
 ]
 
 DRIVER = """#include <fenv.h>
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include "galileo.h"
 #define is_zero(x) ((x) == 0.0)
 static int failures;
+static double root(int branch, double a, double b, double c, double d)
+{{
+    double t[2];
+    gs_lambert_linear_exponential_roots(a, b, c, d, t, t + 1);
+    return t[branch];
+}}
 #define CASE(expression, kind, flags) do {{ \\
     feclearexcept(FE_ALL_EXCEPT); \\
     volatile double value = expression; \\

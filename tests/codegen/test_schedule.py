@@ -8,7 +8,7 @@ from galileo_sym.codegen import schedule as scheduling
 from galileo_sym.codegen.printing import call_text
 from galileo_sym.codegen.schedule import schedule
 
-KERNELS = [(name, force_set) for name, function in FUNCTIONS.items() for force_set in function.variants]
+KERNELS = [(name, s) for name, function in FUNCTIONS.items() if not function.solver for s in function.variants]
 
 
 def _plan(name, force_set):

@@ -36,6 +36,9 @@ CLOSED = {
     "range_factor": _range,
     "best_sine": _best,
     "best_angle": lambda a: mp.asin(_best(a)),
+    "w0_offset": lambda x: 1 + mp.lambertw(-mp.exp(-1 - x)).real,
+    "wm1_offset": lambda x: 1 + mp.lambertw(-mp.exp(-1 - x), -1).real,
+    "branch_factor": lambda r: mp.exp(-mp.lambertw((r**2 / 2 - 1) / mp.e).real),
 }
 
 

@@ -2,21 +2,26 @@
 
 import mpmath
 import pytest
-from sympy import Float, LambertW, Rational, S, Symbol, cos, exp, latex, limit, pi, series, sin, sqrt
+from sympy import E, Float, LambertW, Rational, S, Symbol, cos, exp, latex, limit, pi, series, sin, sqrt
 
 from galileo_sym.primitives import (
     FUNCTIONS,
     best_angle,
     best_sine,
+    branch_factor,
     descent_factor,
     driving,
     flight_factor,
     phi1,
     phi2,
     range_factor,
+    w0_offset,
+    wm1_offset,
 )
 
+OFFSETS = (w0_offset, wm1_offset)  # like the square root at 0
 ONE_ARGUMENT = [f for name, f in FUNCTIONS.items() if name != "driving"]
+SMOOTH = [f for f in ONE_ARGUMENT if f not in OFFSETS]
 AT_ZERO = {
     phi1: 1,
     phi2: Rational(1, 2),
@@ -25,6 +30,9 @@ AT_ZERO = {
     range_factor: 1,
     best_sine: sqrt(2) / 2,
     best_angle: pi / 4,
+    branch_factor: E,
+    w0_offset: 0,
+    wm1_offset: 0,
 }
 SLOPE_AT_ZERO = {
     phi1: Rational(1, 2),
@@ -34,6 +42,7 @@ SLOPE_AT_ZERO = {
     range_factor: Rational(-4, 3),
     best_sine: Rational(-1, 6),
     best_angle: -sqrt(2) / 6,
+    branch_factor: -E,
 }
 x = Symbol("x", positive=True)
 
@@ -66,7 +75,7 @@ def test_value_at_zero_is_the_limit_of_the_closed_form(function):
     assert limit(function(x).rewrite(exp), x, 0) == function(S.Zero)
 
 
-@pytest.mark.parametrize("function", ONE_ARGUMENT, ids=lambda f: f.__name__)
+@pytest.mark.parametrize("function", SMOOTH, ids=lambda f: f.__name__)
 def test_evaluation_keeps_all_digits_of_tiny_arguments(function):
     rise = function(Rational(1, 10**40)).evalf(70) - function(S.Zero).evalf(70)
     assert abs(rise * 10**40 - SLOPE_AT_ZERO[function].evalf(40)) < Float("1e-25")
@@ -80,6 +89,19 @@ def test_evaluation_of_an_unknown_is_left_alone():
 def test_latex_prints_the_name(function):
     assert latex(function(x)) == rf"{function.latex_name}\left(x\right)"
     assert latex(function(x) ** 2) == rf"{function.latex_name}^{{2}}\left(x\right)"
+
+
+@pytest.mark.parametrize(("function", "sign"), [(w0_offset, 1), (wm1_offset, -1)])
+def test_offsets_begin_like_a_square_root(function, sign):
+    """W = -1 + p - p**2/3 + ... with p = sqrt(2 x) or its opposite, and no digit lost for tiny x."""
+    p = Float("1e-20", 70)
+    rest = function(p**2 / 2).evalf(70) - (sign * p - p**2 / 3 + sign * p**3 / 36)
+    assert abs(rest) < Float("1e-79")
+
+
+def test_branch_factor_at_the_zero_of_w():
+    assert abs(branch_factor(sqrt(2)).evalf(40) - 1) < Float("1e-39")
+    assert abs(branch_factor(2).evalf(40) - exp(-LambertW(exp(-1))).evalf(40)) < Float("1e-38")
 
 
 def test_driving():

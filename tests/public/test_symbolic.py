@@ -9,7 +9,7 @@ from galileo_sym import symbolic
 from galileo_sym.catalogue import FUNCTIONS
 
 VALUES = {"t": 0.75, "theta": 0.5, "diameter": 1.5, "g": 9.81, "mu": 0.25, "gamma": 0.625, "v": 3.5, "k": 0.375}
-VALUES["alpha"] = 1.25
+VALUES |= {"alpha": 1.25, "x": -0.25, "a": 1.0, "b": 2.0, "c": -1.0, "d": 1.0}
 KERNELS = [(name, force_set) for name, function in FUNCTIONS.items() for force_set in function.variants]
 
 

@@ -31,6 +31,9 @@ def test_each_stratum_yields_points_inside_the_domain(place):
         if name == "theta":
             least = -HALF_PI if place[0].startswith("chord") else 0.0
             assert all(least <= value <= HALF_PI for value in values)
+        elif name in function.ranges:
+            least, greatest = function.ranges[name]
+            assert all(least <= value <= greatest for value in values)
         elif name in {"g", "diameter", "v"}:
             assert all(value > 0 for value in values)
         else:

@@ -46,10 +46,12 @@ typedef struct {
 } gs_table;
 
 extern const gs_table gs_phi1m_table, gs_phi2m_table, gs_descent_factor_table, gs_flight_factor_table,
-    gs_range_factor_table, gs_best_angle_table, gs_wright_omega_table, gs_log1p_table;
+    gs_range_factor_table, gs_best_angle_table, gs_wright_omega_table, gs_log1p_table, gs_principal_table,
+    gs_w0_offset_table, gs_wm1_offset_table;
 extern const double gs_sinc[GS_SERIES_TERMS][3], gs_cosm1[GS_SERIES_TERMS][3];
 extern const double gs_sine_table[][3], gs_cosine_table[][3];
-extern const double gs_half_pi[4], gs_log_2[3];
+extern const double gs_half_pi[4], gs_log_2[3], gs_e[2], gs_inverse_e[3];
+extern const double gs_atanh[GS_ATANH_TERMS][2], gs_growth[GS_GROWTH_TERMS][2];
 
 gs_scaled gs_phi1m(gs_scaled z);
 gs_scaled gs_phi2m(gs_scaled z);
@@ -182,6 +184,18 @@ static inline gs_scaled gs_scale(gs_scaled a, int k)
     return a;
 }
 
+static inline gs_scaled gs_neg(gs_scaled a)
+{
+    const gs_scaled r = {-a.hi, -a.lo, a.e};
+    return r;
+}
+
+/* Absolute value. */
+static inline gs_scaled gs_size(gs_scaled a)
+{
+    return copysign(1.0, a.hi) < 0.0 ? gs_neg(a) : a;
+}
+
 static inline gs_scaled gs_sine(gs_direction a)
 {
     const gs_scaled r = {a.sign * a.s.hi, a.sign * a.s.lo, a.s.e};
@@ -231,6 +245,8 @@ static inline int gs_positive(double x) { return x > 0.0; }
 static inline int gs_nonnegative(double x) { return x >= 0.0; }
 static inline int gs_chord_angle(double x) { return fabs(x) <= gs_half_pi[0]; }
 static inline int gs_elevation(double x) { return x >= 0.0 && x <= gs_half_pi[0]; }
+static inline int gs_branch(double x) { return x > -gs_inverse_e[0]; }
+static inline int gs_lower_branch(double x) { return x > -gs_inverse_e[0] && x <= 0.0; }
 
 static inline double gs_invalid(void)
 {
@@ -250,5 +266,24 @@ static inline double gs_widen_angle(float theta)
     const double x = theta;
     return fabsf(theta) == (float)gs_half_pi[0] ? copysign(gs_half_pi[0], x) : x;
 }
+
+/* Exponential and logarithm, both branches of W, and the equations they solve. */
+
+#define GS_FAR 0x1p16 /* beyond it an exponential is 0 or infinite beside any quotient of doubles */
+
+gs_pair gs_lookup(const gs_table *table, double x, double x_lo);
+gs_pair gs_relative_growth(gs_pair x);
+gs_pair gs_reduce_exponent(gs_scaled t, int *k);
+gs_scaled gs_exponential(gs_scaled t);
+gs_scaled gs_log_from_excess(gs_scaled f);
+gs_scaled gs_logarithm(gs_scaled a);
+gs_scaled gs_wright_omega(gs_scaled y);
+gs_scaled gs_principal(gs_scaled x, gs_scaled above);
+gs_scaled gs_principal_offset(gs_scaled x);
+gs_scaled gs_lower_offset(gs_scaled x);
+gs_scaled gs_excess(double a, double b, double c, double d);
+double gs_w0(double x);
+double gs_wm1(double x);
+void gs_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1);
 
 #endif

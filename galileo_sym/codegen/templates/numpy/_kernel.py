@@ -3,7 +3,7 @@
 import numpy as np
 
 from ._scaled import Scaled, store
-from ._tables import HALF_PI
+from ._tables import HALF_PI, INVERSE_E
 
 # Test of the domain, and a harmless member of it that stands in for whatever fails the test.
 DOMAINS = {
@@ -11,6 +11,9 @@ DOMAINS = {
     "nonnegative": (lambda x: x >= 0.0, 1.0),
     "chord angle": (lambda x: np.abs(x) <= HALF_PI[0], 0.25),
     "elevation": (lambda x: (x >= 0.0) & (x <= HALF_PI[0]), 0.25),
+    "real": (lambda x: ~np.isnan(x), 1.0),
+    "branch": (lambda x: x > -INVERSE_E[0], 1.0),
+    "lower branch": (lambda x: (x > -INVERSE_E[0]) & (x <= 0.0), -0.25),
 }
 
 
