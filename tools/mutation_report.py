@@ -74,6 +74,28 @@ def _short(trial):
     return kept if trial["outcome"] == "indifferent" else {**kept, "mutant": trial["mutant"]}
 
 
+def joined(committed, found, entries) -> dict:
+    """The committed result with the trials of entries it lacked, for all `entries`, in their order.
+
+    Raises ValueError if it holds entries that are no more, or some are still missing: then a whole run is due.
+    """
+    if sorted(committed["entries"] + found["entries"]) != sorted(entries):
+        raise ValueError("the committed result is not of these entries: run `make mutants`")
+    trials = sorted(committed["not refuted"] + found["not refuted"], key=lambda t: entries.index(t["entry"]))
+    counts = {
+        what: {by: _sum(committed["counts"][what][by], rows) for by, rows in tables.items()}
+        for what, tables in found["counts"].items()
+    }
+    run = committed["run"]
+    run = {**run, "tried later": run.get("tried later", 0) + len(found["entries"])}
+    return {**committed, "run": run, "entries": list(entries), "counts": counts, "not refuted": trials}
+
+
+def _sum(first, second):
+    names = sorted({*first, *second})
+    return {n: {o: first.get(n, {}).get(o, 0) + second.get(n, {}).get(o, 0) for o in OUTCOMES} for n in names}
+
+
 def surviving(result) -> int:
     """How many mutants survive."""
     return sum(t["outcome"] == "surviving" for t in result["not refuted"])
@@ -83,10 +105,11 @@ def page(result) -> str:
     """The page for readers."""
     run = result["run"]
     versions = ", ".join(f"{name} {number}" for name, number in result["versions"].items())
+    later = f", {run['tried later']} of them tried later by themselves" if "tried later" in run else ""
     lines = [
         INTRODUCTION,
-        f"{result['date']}, {versions}; {len(result['entries'])} entries, {run['wall']} minutes on {run['processes']} "
-        f"processes; sources {result['sources'][:16]}.",
+        f"{result['date']}, {versions}; {len(result['entries'])} entries{later}, {run['wall']} minutes on "
+        f"{run['processes']} processes; sources {result['sources'][:16]}.",
         "",
     ]
     for what, tables in result["counts"].items():

@@ -1,7 +1,8 @@
 """Mutation tests of every entry: mutants of its statement and of its premises. Exits with 1 if any survives.
 
 Without names all entries are tried, and the committed result is renewed; names of entries or chapters try those alone
-and write nothing. `--stale` tries nothing and says whether the committed result is that of the present sources.
+and write nothing. `--missing` tries the entries that the committed result lacks, and adds them to it; it remains that
+of the sources of the last whole run. `--stale` tries nothing and says whether it is that of the present ones.
 """
 
 import argparse
@@ -17,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "tests" / "derivations"), str(ROOT / "tools")]
 
 from mutation import try_premises, try_statements  # noqa: E402 (it stands with the tests)
-from mutation_report import page, result_of, sources, surviving, told  # noqa: E402
+from mutation_report import joined, page, result_of, sources, surviving, told  # noqa: E402
 
 from galileo_sym.ledger import Ledger  # noqa: E402
 
@@ -76,16 +77,24 @@ def main(arguments=None) -> int:
     parser.add_argument("names", nargs="*", help="entries or chapters; all if none is given")
     parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--stale", action="store_true", help="only say whether the committed result is up to date")
+    parser.add_argument("--missing", action="store_true", help="only the entries that the committed result lacks")
     chosen = parser.parse_args(arguments)
+    if chosen.missing and chosen.names:
+        parser.error("--missing takes no names")
+    committed = json.loads(RESULT.read_text(encoding="utf-8"))
     if chosen.stale:
-        stale = json.loads(RESULT.read_text(encoding="utf-8"))["sources"] != sources()
+        stale = committed["sources"] != sources()
         print("the committed mutation result is of other sources: run `make mutants`" if stale else "up to date")
         return int(stale)
     before = sources()
     ids = [e.id for e in Ledger.load().select(chosen.names)]
+    if chosen.missing:
+        everything, ids = ids, [i for i in ids if i not in committed["entries"]]
     trials, wall = run(ids, chosen.processes)
     result = {**result_of(trials, ids, wall, chosen.processes), "sources": before}
     print(told(result))
+    if chosen.missing:
+        result = joined(committed, result, everything)
     if not chosen.names:
         RESULT.write_text(json.dumps(result, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         PAGE.write_text(page(result), encoding="utf-8")

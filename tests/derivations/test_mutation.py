@@ -193,6 +193,21 @@ def test_the_run_fails_if_a_mutant_survives(monkeypatch, capsys, outcome, code):
     assert ("SURVIVES chord.eq1" in capsys.readouterr().out) == bool(code)
 
 
+def test_entries_tried_later_join_the_committed_result():
+    """In the ledger's order, with all counts added; what is not of the ledger's entries is refused."""
+    trials = [{**TRIAL, "entry": name, "outcome": EQUAL} for name in ("chord.eq1", "chord.eq2", "stable.new")]
+    whole = mutation_report.result_of(trials, ["chord.eq1", "chord.eq2", "stable.new"], "0:02", 1)
+    first = mutation_report.result_of([trials[0], trials[2]], ["chord.eq1", "stable.new"], "0:02", 1)
+    later = mutation_report.result_of([trials[1]], ["chord.eq2"], "0:01", 1)
+    result = mutation_report.joined(first, later, whole["entries"])
+    assert result["counts"] == whole["counts"]
+    assert result["not refuted"] == whole["not refuted"]
+    assert result["entries"] == whole["entries"]
+    assert "3 entries, 1 of them tried later by themselves, 0:02 minutes" in mutation_report.page(result)
+    with pytest.raises(ValueError, match="make mutants"):
+        mutation_report.joined(first, later, ["chord.eq2", "stable.new"])
+
+
 def test_the_committed_result_is_of_all_entries_and_nothing_survives():
     result = json.loads(mutation_run.RESULT.read_text(encoding="utf-8"))
     assert result["entries"] == list(Ledger.load())
