@@ -66,9 +66,29 @@ _FALL_FAR = [  # x + log(1 + sigma)
     Line("w_lo", "rest", ("w_s", "w_off", "w")),
 ]
 
+_NEAR_ZERO = 2.0**-20  # within, W0(x)/x is taken from its series: x - x^2 can be a midpoint of floats but for x^4
+_FELT = 2.0**-250  # below, x alone is W0(x), and its square would underflow
+_SERIES_OF_RATIO = [  # 1 - x + 3/2 x^2 - 8/3 x^3
+    Line("distance", "abs", ("x",)),
+    Line("felt", "at_least", ("distance", _FELT)),
+    Line("y", "select", ("felt", "x", 0.0)),
+    Line("minus", "mul", ("y", -1.0)),
+    Line("g_s", "add", (1.0, "minus")),
+    Line("g_rest", "rest", (1.0, "minus", "g_s")),
+    Line("g_square", "mul", ("y", "y")),
+    Line("g_tail", "fma", ("y", -8 / 3, 1.5)),
+    Line("g_off", "fma", ("g_square", "g_tail", "g_rest")),
+    Line("g", "add", ("g_s", "g_off")),
+    Line("g_lo", "rest", ("g_s", "g_off", "g")),
+]
+
 _W0 = [
     *_BRANCH_ROOT,
-    Line("f", "near_pair", ("w0_ratio", "q", "q_lo")),
+    Line("h", "near_pair", ("w0_ratio", "q", "q_lo")),
+    *_SERIES_OF_RATIO,
+    Line("close", "less", ("distance", _NEAR_ZERO)),
+    Line("f", "select", ("close", "g", "h")),
+    Line("f_lo", "select", ("close", "g_lo", "h_lo")),
     *product("w", "x", "f", exact=("x",)),
     Line("size", "abs", ("w",)),
     Line("r", "flip", ("size", "x")),  # -0 at -0

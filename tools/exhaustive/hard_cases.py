@@ -21,6 +21,7 @@ from galileo_sym.primitives.kernels import KERNELS  # noqa: E402
 from galileo_sym.progress import progress_bar  # noqa: E402
 
 WORST = 8  # as in search.h
+WORST_KEPT = 3  # of a piece
 
 
 class Found(ctypes.Structure):
@@ -84,6 +85,16 @@ def searched(measure, name, seed, count, known, progress):
     return added
 
 
+def worst_of(measure, name, inputs):
+    """Return the worst inputs of every piece."""
+    errors = dict(zip(inputs, measure.errors(inputs), strict=True))
+    found = []
+    for low, high, sign in wc_files.sizes(name):
+        here = sorted((x for x in inputs if low <= sign * x <= high), key=errors.get, reverse=True)
+        found += here[:WORST_KEPT]
+    return list(dict.fromkeys(found))
+
+
 def text_of(name, measure, hard, single):
     """Return the file: ends of pieces, the worst in binary64 with their errors, the hardest in binary32."""
     lines = [
@@ -117,9 +128,11 @@ def main(arguments=None) -> int:
             known = [x for x in wc_files.read(name) if x not in given]
             with progress_bar(f"hard cases, {name}") as progress:
                 new = searched(measure, name, chosen.seed, chosen.count, known, progress)
-            write_whole(wc_files.path_of(name), text_of(name, measure, [*known, *new], single).encode())
-            worst = max(measure.errors([*known, *new]))
-            print(f"{name}: {len(new)} added, {len(known) + len(new)} in all; the worst errs by {worst:.4f} ulp")
+            hard = worst_of(measure, name, [*known, *new])
+            write_whole(wc_files.path_of(name), text_of(name, measure, hard, single).encode())
+            worst = max(measure.errors(hard))
+            tried = chosen.count * len(wc_files.sizes(name))
+            print(f"{name}: {tried} tried, {len(new)} added, {len(hard)} kept; the worst errs by {worst:.4f} ulp")
     return 0
 
 

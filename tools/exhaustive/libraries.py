@@ -116,9 +116,10 @@ def judged(name, tested, reference, first, count):
 
 
 def value_of(name, tested, bits):
-    """Return the bits of the tested function's value at the input with these bits."""
+    """Return the bits of the tested function's value at the input with these bits, in the stretch that is judged."""
     function = getattr(load(tested), f"gs_special_{name}_nf")
     function.restype = None
-    x, y = ctypes.c_uint32(bits), ctypes.c_uint32()
-    function(ctypes.c_size_t(1), ctypes.byref(x), ctypes.byref(y))
-    return y.value
+    first = bits - bits % LANES
+    x, y = (ctypes.c_uint32 * LANES)(*range(first, first + LANES)), (ctypes.c_uint32 * LANES)()
+    function(ctypes.c_size_t(LANES), x, y)
+    return y[bits - first]
