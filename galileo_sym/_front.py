@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from galileo_sym.generated._lines import to_odd
 from galileo_sym.generated._tables import HALF_PI
 
 _DOUBLE, _SINGLE = np.dtype(np.float64), np.dtype(np.float32)
@@ -96,7 +97,8 @@ def serve(row, arguments, forces, out=None, where=True, casting="same_kind", dty
     Parameters
     ----------
     row : dict
-        The function's row of ``FUNCTIONS`` in its generated module: ``outputs``, ``angle`` (an index), ``kernels``.
+        The function's row of ``FUNCTIONS`` in its generated module: ``outputs``, ``angle`` (an index), ``kernels``;
+        ``rest``, if the kernels return the only output with its rest, so that float32 results are rounded once.
     arguments : tuple of array_like
         All arguments but the forces, in order.
     forces : dict of str to array_like
@@ -135,6 +137,8 @@ def serve(row, arguments, forces, out=None, where=True, casting="same_kind", dty
         if mask.dtype != np.bool_:
             raise TypeError(f"where must be boolean, not {mask.dtype}")
         results = _masked(kernel, wide, mask)
+    if row.get("rest"):
+        results = (results[0] if dtype == _DOUBLE else to_odd(*results),)
     given = []
     for result, target in zip(results, targets, strict=True):
         narrow = np.asarray(result).astype(dtype, copy=False)

@@ -13,7 +13,7 @@ import sympy
 
 import galileo_sym
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen import c99, frames, kernels, numpy, tables
+from galileo_sym.codegen import c99, frames, kernels, numpy, numpy_kernels, pairs, tables
 
 PINNED = {"sympy": "1.14.0", "mpmath": "1.3.0"}
 KEPT = ("certificates",)  # reviewed and committed by other means, never written here
@@ -23,6 +23,7 @@ _NUMPY_TEMPLATES = (
     "_elementary.py",
     "_excess.py",
     "_kernel.py",
+    "_lines.py",
     "_primitives.py",
     "_roots.py",
     "_scaled.py",
@@ -76,6 +77,8 @@ def _sources():
     for name in _NUMPY_TEMPLATES:
         files[name] = _python(f"templates/numpy/{name}", _template(f"numpy/{name}"))
     files["_tables.py"] = _python("the tables of galileo_sym.primitives", tables.numpy_tables())
+    files["_pieces.py"] = _python("the coefficients of galileo_sym.primitives", numpy_kernels.pieces())
+    files["special.py"] = _python("the frames of galileo_sym.primitives", numpy_kernels.special())
     for paper in _papers():
         files[f"{paper}.py"] = _python(f"the stable forms of {paper}", numpy.module(paper))
         files[f"c/{paper}.c"] = _c(f"the stable forms of {paper}", c99.source(paper))
@@ -87,6 +90,7 @@ def _sources():
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/galileo_kernels.h"] = _c("the coefficients of galileo_sym.primitives", kernels.kernels_header())
     files["c/galileo_frames.h"] = _c("the frames of galileo_sym.primitives", frames.frames_header())
+    files["c/galileo_pairs.h"] = _c("the frames of galileo_sym.primitives", pairs.pairs_header())
     target = _template("c/special_target.c")
     for suffix in kernels.TARGETS:
         text = kernels.target_source(target, suffix)

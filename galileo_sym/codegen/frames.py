@@ -5,6 +5,15 @@ from math import isinf
 from galileo_sym.codegen.kernels import bank_text, c_number, lines_text, table_text
 from galileo_sym.primitives.frames import Frame
 from galileo_sym.primitives.kernels import BANKED, KERNELS
+from galileo_sym.primitives.lines import alone
+
+_HEAD = """\
+/* A function a range, of one operation a line, from x to r and *lo; gs_NAME_value chooses. The operations are those of
+ * galileo_vector.h: add sub mul div sqrt min abs fma fnma; rest sum_rest product_rest; at_least less select flip;
+ * piece low_index pick power exponent mantissa; and an approximation's gs_BANK_near(x, &lo) and
+ * gs_BANK_near_pair(x, x_lo, &lo).
+ */
+"""
 
 
 def _range_functions(frame):
@@ -13,7 +22,7 @@ def _range_functions(frame):
         out.append(
             f"/* x in [{served.begin!r}, {served.end!r}{']' if isinf(served.end) else ')'} */\n"
             f"static inline gs_v gs_{frame.name}_range{index}(gs_v x, gs_v *lo)\n{{\n"
-            f"{lines_text(frame.name, served.lines)}    return r;\n}}\n\n"
+            f"{lines_text(frame.name, alone(served.lines))}    return r;\n}}\n\n"
         )
     return "".join(out)
 
@@ -60,7 +69,7 @@ def _chosen(frame):
 def frames_header():
     """Return the C header of all frames, with the approximations that no other primitive brings."""
     known = {bank for kernel in BANKED.values() for bank in kernel.banks}
-    out = ["#ifndef GALILEO_FRAMES_H\n#define GALILEO_FRAMES_H\n\n", '#include "galileo_kernels.h"\n\n']
+    out = [_HEAD, "#ifndef GALILEO_FRAMES_H\n#define GALILEO_FRAMES_H\n\n", '#include "galileo_kernels.h"\n\n']
     for frame in (kernel for kernel in KERNELS.values() if isinstance(kernel, Frame)):
         fresh = [bank for bank in frame.banks if bank not in known]
         known.update(fresh)

@@ -7,9 +7,19 @@ from math import comb, inf
 
 from galileo_sym.primitives.approximations import APPROXIMATIONS
 from galileo_sym.primitives.frames import Frame, Range
-from galileo_sym.primitives.lambert_frames import LARGEST
 from galileo_sym.primitives.lines import Line
-from galileo_sym.primitives.pairs import add_exact, alone, logarithm, product, quotient, result, root, scale, series
+from galileo_sym.primitives.pairs import (
+    LARGEST,
+    add_exact,
+    logarithm,
+    product,
+    quotient,
+    result,
+    root,
+    scale,
+    series,
+    single,
+)
 
 _VERY_FAR = 2.0**554  # log(a^2/e) is 767.02; one bank ends at 768, the next begins at 512
 _SQUARE = 2.0**500  # beyond, w (2 + w)/(a^2 - 1) is as good as 0
@@ -20,6 +30,7 @@ _ARCSINE = tuple(comb(2 * k, k) / 4**k / (2 * k + 1) for k in range(1, 13))  # (
 def _omega(bank):
     return [
         Line("a", "min", ("x", LARGEST)),
+        Line("a_lo", "copy", ("x_lo",)),
         *logarithm("half", "a"),
         *scale("whole", "half", 2.0),
         *add_exact("less", "whole", -1.0),
@@ -35,11 +46,12 @@ def _omega(bank):
 
 _SINE = [  # w/(a - (1 + w)/a)
     *add_exact("s", "w", 1.0),
-    *quotient("g", "s", "a", exact=("a",)),
+    *quotient("g", "s", "a"),
     Line("minus", "mul", ("g", -1.0)),
+    Line("g_less", "sub", ("g_lo", "a_lo")),
     Line("d", "add", ("a", "minus")),
     Line("d_rest", "rest", ("a", "minus", "d")),
-    Line("d_lo", "sub", ("d_rest", "g_lo")),
+    Line("d_lo", "sub", ("d_rest", "g_less")),
     *quotient("sine", "w", "d"),
 ]
 
@@ -58,13 +70,15 @@ _RANGE = [  # sqrt(1 - w (2 + w)/(a^2 - 1))/a
     *add_exact("t", "w", 2.0),
     *product("n", "t", "w"),
     Line("b", "min", ("a", _SQUARE)),
-    *product("square", "b", "b", exact=("b",)),
+    Line("lost", "at_least", ("a", _SQUARE)),
+    Line("b_lo", "select", ("lost", 0.0, "a_lo")),
+    *product("square", "b", "b"),
     *add_exact("d", "square", -1.0),
     *quotient("v", "n", "d"),
     *scale("minus", "v", -1.0),
     *add_exact("left", "minus", 1.0),
     *root("top", "left"),
-    *quotient("factor", "top", "a", exact=("a",)),
+    *quotient("factor", "top", "a"),
 ]
 
 
@@ -75,10 +89,10 @@ def _frame(name, doc, lines, found):
         doc,
         (name, "log", "omega", "omega_tail"),
         (
-            Range(0.0, far, (Line("f", "near", (name, "x")), *result("f"))),
+            Range(0.0, far, (Line("f", "near_pair", (name, "x", "x_lo")), *result("f"))),
             Range(far, _VERY_FAR, (*_omega("omega"), *lines, *result(found))),
             Range(_VERY_FAR, inf, (*_omega("omega_tail"), *lines, *result(found))),
-            Range(inf, inf, tuple(alone("div", 1.0, "x"))),
+            Range(inf, inf, tuple(single("div", 1.0, "x"))),
         ),
         (0.0, inf),
     )

@@ -5,8 +5,9 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Range:
-    """[begin, end), or [begin, inf] if end is infinite, and the lines that there compute ``r`` and ``lo`` from ``x``.
+    """[begin, end), or [begin, inf] if end is infinite, and the lines that there compute ``r`` and ``lo``.
 
+    ``lines`` are for x + x_lo; `lines.alone` makes those for x of them.
     ``instead`` is the argument that other lanes are given: one that raises no flag; begin by default.
     """
 
@@ -25,9 +26,9 @@ class Range:
 class Frame:
     """A primitive: the first of its ranges is the typical one; the others are looked at only if some lane needs them.
 
-    ``domain`` is the least and the greatest argument, beyond which the value is NaN. ``parity`` is "odd" or "even" for
-    a function whose ranges are of abs(x). ``banks`` are the approximations that the lines look up, ``tables`` other
-    tables of 16 values.
+    ``domain`` is the least and the greatest argument, beyond which the value is NaN; ``pair_domain`` the same as pairs,
+    where these differ. ``parity`` is "odd" or "even" for a function whose ranges are of abs(x). ``banks`` are the
+    approximations that the lines look up, ``tables`` other tables of 16 values.
     """
 
     name: str
@@ -37,6 +38,12 @@ class Frame:
     domain: tuple
     parity: str = ""
     tables: dict = field(default_factory=dict)
+    pair_domain: tuple = ()
+
+    @property
+    def ends(self):
+        """The least and the greatest argument as pairs."""
+        return self.pair_domain or tuple((v, 0.0) for v in self.domain)
 
     @property
     def thresholds(self):

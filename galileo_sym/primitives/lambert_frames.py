@@ -10,9 +10,18 @@ from mpmath import mp, mpf
 
 from galileo_sym.primitives.frames import Frame, Range
 from galileo_sym.primitives.lines import Line
-from galileo_sym.primitives.pairs import add_exact, alone, logarithm, product, result, root, scale
+from galileo_sym.primitives.pairs import (
+    LARGEST,
+    add_exact,
+    logarithm,
+    product,
+    result,
+    root,
+    scale,
+    settled,
+    single,
+)
 
-LARGEST = float.fromhex("0x1.fffffffffffffp+1023")
 LEAST_POSITIVE = 5e-324
 with mp.workdps(60):
     INVERSE_E = float(mp.exp(-1))
@@ -29,10 +38,10 @@ _BRANCH_END = -0.3056  # sqrt(x + 1/e) < 1/4
 _SMALL = -1e-49  # sqrt(-2 - 2 log(-x)) is 14.95
 _SUBNORMAL_SCALE = 64
 
-_ROOT = [Line("twice", "mul", ("x", 2.0)), *root("p", "twice", exact=("twice",))]
+_ROOT = [*scale("twice", "x", 2.0), *root("p", "twice")]
 _TINY_ROOT = [
-    Line("grown", "mul", ("x", 2.0 ** (_SCALE + 1))),
-    *root("p", "grown", exact=("grown",)),
+    *scale("grown", "x", 2.0 ** (_SCALE + 1)),
+    *root("p", "grown"),
     *scale("w", "p", 2.0 ** (-_SCALE // 2)),
 ]
 
@@ -40,7 +49,8 @@ _TINY_ROOT = [
 _BRANCH_ROOT = [
     Line("sum", "add", ("x", INVERSE_E)),
     Line("sum_rest", "sum_rest", ("x", INVERSE_E, "sum")),
-    Line("sum_off", "add", ("sum_rest", INVERSE_E_LO)),
+    Line("e_lo", "add", ("x_lo", INVERSE_E_LO)),
+    Line("sum_off", "add", ("sum_rest", "e_lo")),
     Line("delta", "add", ("sum", "sum_off")),
     Line("delta_lo", "rest", ("sum", "sum_off", "delta")),
     *root("q", "delta"),
@@ -54,16 +64,17 @@ def _factored(bank):
 
 _FALL_FAR = [  # x + log(1 + sigma)
     Line("finite", "min", ("x", LARGEST)),
+    Line("finite_lo", "copy", ("x_lo",)),
     *logarithm("y", "finite"),
     Line("bounded", "min", ("y", _LOG_END)),
     Line("beyond", "sub", ("y", "bounded")),
     Line("f", "near_pair", ("fall_log", "bounded", "y_lo")),
     Line("log", "add", ("f", "beyond")),
+    Line("f_all", "add", ("f_lo", "x_lo")),
     Line("w_s", "add", ("finite", "log")),
     Line("w_rest", "rest", ("finite", "log", "w_s")),
-    Line("w_off", "add", ("w_rest", "f_lo")),
-    Line("w", "add", ("w_s", "w_off")),
-    Line("w_lo", "rest", ("w_s", "w_off", "w")),
+    Line("w_off", "add", ("w_rest", "f_all")),
+    *settled("w", "w_s", "w_off"),
 ]
 
 _NEAR_ZERO = 2.0**-20  # within, W0(x)/x is taken from its series: x - x^2 can be a midpoint of floats but for x^4
@@ -89,7 +100,7 @@ _W0 = [
     Line("close", "less", ("distance", _NEAR_ZERO)),
     Line("f", "select", ("close", "g", "h")),
     Line("f_lo", "select", ("close", "g_lo", "h_lo")),
-    *product("w", "x", "f", exact=("x",)),
+    *product("w", "x", "f"),
     Line("size", "abs", ("w",)),
     Line("r", "flip", ("size", "x")),  # -0 at -0
     Line("lo", "copy", ("w_lo",)),
@@ -103,6 +114,7 @@ def _wm1(bank, scaled):
     return [
         Line("m0", "abs", ("x",)),
         Line("m", "mul", ("m0", 2.0**scaled)),
+        Line("m_lo", "mul", ("x_lo", -(2.0**scaled))),
         *logarithm("y", "m", float(scaled)),
         *scale("z", "y", -2.0),
         *add_exact("twice", "z", -2.0),
@@ -120,6 +132,11 @@ def _range(begin, end, lines):
     return Range(begin, end, tuple(lines))
 
 
+# where the argument is a pair, from -1/e as a pair on
+_ON_W0 = ((-INVERSE_E, -INVERSE_E_LO), (inf, 0.0))
+_ON_WM1 = ((-INVERSE_E, -INVERSE_E_LO), (0.0, 0.0))
+
+
 FRAMES = (
     Frame(
         "w0_offset",
@@ -128,7 +145,7 @@ FRAMES = (
         (
             _range(_TINY, _NO_MORE_RISE, [*_ROOT, *_factored("rise_factor"), *result("w")]),
             _range(0.0, _TINY, [*_TINY_ROOT, *result("w")]),
-            _range(_NO_MORE_RISE, inf, alone("min", "x", 1.0)),
+            _range(_NO_MORE_RISE, inf, single("min", "x", 1.0)),
         ),
         (0.0, inf),
     ),
@@ -140,7 +157,7 @@ FRAMES = (
             _range(_TINY, _FALL_END, [*_ROOT, *_factored("fall_factor"), *result("w", -1.0)]),
             _range(0.0, _TINY, [*_TINY_ROOT, *result("w", -1.0)]),
             _range(_FALL_END, inf, [*_FALL_FAR, *result("w", -1.0)]),
-            _range(inf, inf, alone("mul", "x", -1.0)),
+            _range(inf, inf, single("mul", "x", -1.0)),
         ),
         (0.0, inf),
     ),
@@ -148,8 +165,9 @@ FRAMES = (
         "w0",
         "W0(x): w exp(w) = x, w >= -1",
         ("w0_ratio", "log", "omega"),
-        (_range(LEAST, _LARGE, _W0), _range(_LARGE, inf, _W0_LARGE), _range(inf, inf, alone("copy", "x"))),
+        (_range(LEAST, _LARGE, _W0), _range(_LARGE, inf, _W0_LARGE), _range(inf, inf, single("copy", "x"))),
         (LEAST, inf),
+        pair_domain=_ON_W0,
     ),
     Frame(
         "wm1",
@@ -159,8 +177,9 @@ FRAMES = (
             _range(_BRANCH_END, _SMALL, _wm1("fall_factor", 0)),
             _range(LEAST, _BRANCH_END, _WM1_BRANCH),
             _range(_SMALL, 0.0, _wm1("fall_tail", _SUBNORMAL_SCALE)),
-            _range(0.0, LEAST_POSITIVE, alone("sub", "x", inf)),
+            _range(0.0, LEAST_POSITIVE, single("sub", "x", inf)),
         ),
         (LEAST, 0.0),
+        pair_domain=_ON_WM1,
     ),
 )

@@ -77,3 +77,51 @@ def near_lines(bank, paired):
         Line("lo", "rest", ("s", "e", "r")),
     ]
     return lines
+
+
+def _left(line, zero):
+    """What is left of a line where what is named in ``zero`` is 0: a line, what stands for its name, or None for 0."""
+    gone = [operand in zero for operand in line.operands]
+    a, *others = line.operands
+    if not any(gone):
+        return line
+    if line.operation == "near_pair":
+        return Line(line.name, "near", line.operands[:2])
+    if line.operation in ("add", "sub") and not all(gone) and (line.operation == "add" or gone[1]):
+        return others[0] if gone[0] else a
+    if line.operation in ("fma", "fnma") and (gone[0] or gone[1]) and not gone[2]:
+        return others[1]
+    if line.operation == "fma" and not (gone[0] or gone[1]):
+        return Line(line.name, "mul", line.operands[:2])
+    if line.operation == "select" and not all(o == 0.0 or o in zero for o in others):
+        return Line(line.name, "select", tuple(0.0 if is_0 else o for o, is_0 in zip(line.operands, gone, strict=True)))
+    if line.operation in ("copy", "select", "mul", "div", "flip", "rest", "sum_rest", "product_rest", "fma", "fnma"):
+        return None
+    raise ValueError(f"what {line} is where {', '.join(o for o in line.operands if o in zero)} is 0 has no rule")
+
+
+def used(lines):
+    """Lines without those whose results nothing needs."""
+    needed, kept = {"r", "lo"}, []
+    for line in reversed(lines):
+        if {line.name, f"{line.name}_lo"} & needed:
+            kept.append(line)
+            for operand in line.operands:
+                needed.update(operand[2:] if isinstance(operand, tuple) else [operand])
+    return tuple(kept[::-1])
+
+
+def alone(lines):
+    """Return what is left of lines for x + x_lo where x_lo is 0: those for x, with the same result."""
+    zero, instead, found = {"x_lo"}, {}, []
+    for line in lines:
+        left = _left(Line(line.name, line.operation, tuple(instead.get(o, o) for o in line.operands)), zero)
+        if isinstance(left, Line):
+            found.append(left)
+        elif line.name in ("r", "lo"):
+            found.append(Line(line.name, "copy", (0.0 if left is None else left,)))
+        elif left is None:
+            zero.add(line.name)
+        else:
+            instead[line.name] = left
+    return used(found)
