@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field, replace
 from functools import cache
 
-from sympy import Symbol, Tuple, cos, sin, sqrt
+from sympy import Symbol, Tuple, cos, exp, sin, sqrt
 
 from galileo_sym.ledger import Ledger
 from galileo_sym.primitives import driving, phi1
@@ -20,6 +20,7 @@ class Argument:
     doc: str
 
 
+WITHIN_1 = "within 1 ulp at every point sampled (claimed bound: 1 ulp; generated/certificates)"
 MEASURED = "within 1 ulp at every point sampled (claimed bound: 4 ulp; generated/certificates)"
 
 CERTIFIED = "within 0.51 ulp at every point sampled (claimed bound: 1 ulp; generated/certificates)"
@@ -30,7 +31,8 @@ class Output:
     """A public result.
 
     ``at_rest`` is its value where friction holds the bead (None: no such state). ``limits`` groups the arguments by
-    where the result goes as they grow: arguments of two groups infinite at once leave it undecided.
+    where the result goes as they grow: arguments of two groups infinite at once leave it undecided, unless one group
+    holds both.
     """
 
     name: str
@@ -124,6 +126,7 @@ def _variants(forces, *sources):
     return {name: (arguments, ids) for (name, arguments), ids in zip(forces.items(), sources, strict=True)}
 
 
+_SPEED = (("t", "g"), ("t", "gamma"))
 _ALONG_CHORD = (("t", "g"), ("gamma",))
 _ACROSS_CIRCLE = (("t", "g", "mu"), ("gamma",))
 
@@ -145,6 +148,16 @@ _TABLE = (
         ("g",),
         _variants(_FORCES, ("chord.eq1",), ("chord.eq15",), ("chord.eq29",), ("chord.eq41",)),
         (Output("distance", "m", "distance from the top", 0.0, _ALONG_CHORD),),
+    ),
+    Function(
+        "chord",
+        "speed",
+        "Speed along a chord of a bead released from rest.",
+        ("t", "theta"),
+        ("g",),
+        _variants(_FORCES, ("chord.eq1",), ("chord.eq15",), ("chord.eq29",), ("chord.eq41",)),
+        (Output("speed", "m/s", "speed", 0.0, _SPEED),),
+        WITHIN_1,
     ),
     Function(
         "chord",
@@ -184,6 +197,16 @@ _TABLE = (
         ),
     ),
     Function(
+        "chord",
+        "max_angle",
+        "Angle from the vertical from which on friction holds a bead at rest.",
+        ("mu",),
+        (),
+        {"": ((), ("chord.eq13",))},
+        (Output("angle", "rad", "angle from which on a bead stays at rest; pi/2 without friction"),),
+        WITHIN_1,
+    ),
+    Function(
         "projectile",
         "flight_time",
         "Time until a projectile is back at the height of its launch.",
@@ -217,6 +240,53 @@ _TABLE = (
             Output("y", "m", "height above the launch", None, (("v",), ("t", "g"), ("k",))),
         ),
         f"{MEASURED};\nerrors of y are in ulp of the larger of its two terms, which cancel at landing",
+    ),
+    Function(
+        "projectile",
+        "velocity",
+        "Velocity of a projectile, y up.",
+        ("t", "theta"),
+        ("v", "g"),
+        _variants(
+            _RESISTANCE,
+            ("projectile.nodrag.x", "projectile.nodrag.y"),
+            ("projectile.drag.vx", "projectile.drag.vy"),
+        ),
+        (
+            Output("vx", "m/s", "horizontal velocity", None, (("v",), ("t", "k"))),
+            Output("vy", "m/s", "upward velocity", None, (("v",), ("t", "g"), ("t", "k"))),
+        ),
+        f"{WITHIN_1};\nerrors of vy are in ulp of the larger of its two terms, which cancel at the apex",
+    ),
+    Function(
+        "projectile",
+        "range_slope_theta",
+        "Derivative of the range with respect to the elevation.",
+        ("theta",),
+        ("v", "g"),
+        _variants(_RESISTANCE, ("projectile.nodrag.range",), ("projectile.lemma.f",)),
+        (Output("slope", "m/rad", "dR/dtheta", None, (("v",), ("g", "k"))),),
+        f"{WITHIN_1};\nerrors are in ulp of the larger of its two terms, which cancel at the angle of greatest range",
+    ),
+    Function(
+        "projectile",
+        "range_slope_k",
+        "Derivative of the range with respect to the resistance coefficient; without resistance its limit.",
+        ("theta",),
+        ("v", "g"),
+        _variants(_RESISTANCE, ("projectile.lemma.e",), ("projectile.lemma.e",)),
+        (Output("slope", "m s", "dR/dk", None, (("v",), ("g", "k"))),),
+        WITHIN_1,
+    ),
+    Function(
+        "projectile",
+        "max_range",
+        "Greatest range, over all elevations.",
+        (),
+        ("v", "g"),
+        _variants(_RESISTANCE, ("projectile.nodrag.claim.max-pi4",), ("projectile.thm3", "projectile.range.u")),
+        (Output("range", "m", "greatest range", None, (("v",), ("g", "k"))),),
+        WITHIN_1,
     ),
     Function(
         "projectile",
@@ -286,6 +356,7 @@ NAMED = {
         "rise": (_v * sin(_theta) / _g,),
         "reach": (_v * _t * phi1(-_k * _t), _v * _t),
         "fall": (_g * _t**2,),
+        "fade": (exp(-_k * _t),),
     },
 }
 

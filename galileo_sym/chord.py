@@ -6,14 +6,15 @@ state; NaN gives NaN without it. An infinite argument gives the limit, or NaN an
 functions take ``out``, ``where``, ``dtype`` and ``casting`` as NumPy's ufuncs do.
 
 Accuracy, for float64: measured within 1 ulp of the exact result at every point sampled, from the smallest arguments to
-the largest, against enclosures by mpmath (claimed bound: 4 ulp; `generated/certificates/`); whether a bead slides
+the largest, against enclosures by mpmath (claimed bound: 4 ulp, or what a function states; `generated/certificates/`);
+whether a bead slides
 at all is decided by the exact sign of cos|theta| - mu sin|theta|.
 """
 
 from galileo_sym._front import serve
 from galileo_sym.generated.chord import FUNCTIONS
 
-__all__ = ["descent_time", "distance", "position", "synchronous_circle"]
+__all__ = ["descent_time", "distance", "max_angle", "position", "speed", "synchronous_circle"]
 
 
 def descent_time(theta, *, diameter, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -109,6 +110,48 @@ def distance(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None
     )
 
 
+def speed(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
+    """Speed of a bead along its chord.
+
+    Parameters
+    ----------
+    t : array_like
+        Time since release, in s; >= 0. The chord has no end here: speeds are not clipped at arrival.
+    theta, g, mu, gamma : array_like
+        As for `distance`.
+    out, where, dtype, casting : optional
+        As for a NumPy ufunc; `dtype` is float64 or float32.
+
+    Returns
+    -------
+    ndarray or scalar
+        Speed in m/s, within 1 ulp (claimed bound, held at every point sampled); 0 where friction holds the bead.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    The derivative of (1), (15), (29) and (41) of the chord paper, as g t (cos θ - μ sin|θ|) times φ₁(-γt).
+
+    Examples
+    --------
+    >>> float(round(speed(1.0, 0.5, g=9.81, mu=0.2, gamma=1e-9), 5))
+    7.66845
+    """
+    return serve(
+        FUNCTIONS["speed"],
+        (t, theta, g),
+        {"mu": mu, "gamma": gamma},
+        out=out,
+        where=where,
+        dtype=dtype,
+        casting=casting,
+    )
+
+
 def position(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
     """Position of a bead, x to the right and y down from the top of the circle.
 
@@ -178,3 +221,36 @@ def synchronous_circle(t, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=N
         dtype=dtype,
         casting=casting,
     )
+
+
+def max_angle(mu, out=None, where=True, dtype=None, casting="same_kind"):
+    """Angle of the chord from the vertical from which on friction holds a bead at rest.
+
+    Parameters
+    ----------
+    mu : array_like
+        Coefficient of sliding friction, equal to the static one, dimensionless; >= 0.
+    out, where, dtype, casting : optional
+        As for a NumPy ufunc; `dtype` is float64 or float32.
+
+    Returns
+    -------
+    ndarray or scalar
+        arctan(1/mu) in rad, within 1 ulp (claimed bound, held at every point sampled): pi/2 at 0, decreasing to 0. The
+        other functions do not compare with it: they decide by the exact sign of cos|theta| - mu sin|theta|.
+
+    Raises
+    ------
+    TypeError
+        For complex, extended-precision or object arguments.
+
+    Notes
+    -----
+    Equation (13) of the chord paper, as the arccotangent of μ, which loses nothing for small or large μ.
+
+    Examples
+    --------
+    >>> float(round(max_angle(0.5), 5))
+    1.10715
+    """
+    return serve(FUNCTIONS["max_angle"], (mu,), {}, out=out, where=where, dtype=dtype, casting=casting)

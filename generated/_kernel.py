@@ -58,13 +58,15 @@ def moving(driving):
     return Scaled(np.where(rest, 1.0, driving.hi), np.where(rest, 0.0, driving.lo), np.where(rest, 0, driving.e)), rest
 
 
-def clash(*groups):
-    """Lanes where arguments of two groups are infinite at once: the limit depends on which goes first."""
-    seen = [np.logical_or.reduce(np.broadcast_arrays(*(np.isinf(x) for x in group))) for group in groups]
+def _any_infinite(group):
+    return np.logical_or.reduce(np.broadcast_arrays(*(np.isinf(x) for x in group)))
+
+
+def clash(*pairs):
+    """Lanes where, of a pair of groups, an argument of each is infinite: the limit depends on which goes first."""
     both = False
-    for i, first in enumerate(seen):
-        for second in seen[i + 1 :]:
-            both = both | (first & second)
+    for one, other in pairs:
+        both = both | (_any_infinite(one) & _any_infinite(other))
     return both
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from ._branches import lower_offset, principal, principal_offset, wright_omega
 from ._elementary import FAR, exponential, growth, log_from_excess, logarithm, reduce_exponent
 from ._excess import excess
-from ._kernel import admit, clash, quiet, raise_invalid, settle
+from ._kernel import admit, quiet, raise_invalid, settle
 from ._scaled import ZERO_EXPONENT, Scaled, add, constant, div, load, mul, neg, plain, select, sub
 from ._tables import INVERSE_E
 
@@ -160,7 +160,8 @@ def linear_exponential_roots(a, b, c, d):
     """Roots by W0 and W-1 of a t + b + c exp(d t) = 0; NaN where there is none."""
     arguments, void = admit(*((x, "real") for x in (a, b, c, d)))
     a, b, c, d = np.broadcast_arrays(*arguments)
-    undecided = clash((a,), (b,), (c,), (d,)) | ((a == 0.0) & ((c == 0.0) | (d == 0.0)))
+    two_infinite = sum(np.isinf(x).astype(int) for x in (a, b, c, d)) > 1
+    undecided = two_infinite | ((a == 0.0) & ((c == 0.0) | (d == 0.0)))
     if np.any(undecided):
         raise_invalid()
     void = void | undecided

@@ -5,7 +5,7 @@ from math import inf
 
 from ._angle import angle, cosine, driving, sine
 from ._kernel import admit, clash, moving, quiet, settle
-from ._primitives import descent_factor, phi2m
+from ._primitives import acot, descent_factor, phi1m, phi2m
 from ._scaled import add, constant, div, load, mul, scale, sqrt
 
 
@@ -28,7 +28,7 @@ def descent_time_free(theta, diameter, g):
         (g, "positive"),
     )
     theta, diameter, g = arguments
-    undecided_time = clash((diameter,), (g,))
+    undecided_time = clash(((diameter,), (g,)))
     with quiet():
         D = load(diameter)
         g = load(g)
@@ -58,7 +58,7 @@ def descent_time_friction(theta, diameter, g, mu):
         (mu, "nonnegative"),
     )
     theta, diameter, g, mu = arguments
-    undecided_time = clash((diameter,), (g,))
+    undecided_time = clash(((diameter,), (g,)))
     with quiet():
         D = load(diameter)
         g = load(g)
@@ -93,7 +93,7 @@ def descent_time_drag(theta, diameter, g, gamma):
         (gamma, "nonnegative"),
     )
     theta, diameter, g, gamma = arguments
-    undecided_time = clash((diameter, gamma), (g,))
+    undecided_time = clash(((diameter, gamma), (g,)))
     with quiet():
         D = load(diameter)
         g = load(g)
@@ -127,7 +127,7 @@ def descent_time_friction_drag(theta, diameter, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     theta, diameter, g, mu, gamma = arguments
-    undecided_time = clash((diameter, gamma), (g,))
+    undecided_time = clash(((diameter, gamma), (g,)))
     with quiet():
         D = load(diameter)
         g = load(g)
@@ -226,7 +226,7 @@ def distance_drag(t, theta, g, gamma):
         (gamma, "nonnegative"),
     )
     t, theta, g, gamma = arguments
-    undecided_distance = clash((t, g), (gamma,))
+    undecided_distance = clash(((t, g), (gamma,)))
     with quiet():
         t = load(t)
         g = load(g)
@@ -262,7 +262,7 @@ def distance_friction_drag(t, theta, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     t, theta, g, mu, gamma = arguments
-    undecided_distance = clash((t, g), (gamma,))
+    undecided_distance = clash(((t, g), (gamma,)))
     with quiet():
         t = load(t)
         g = load(g)
@@ -275,6 +275,136 @@ def distance_friction_drag(t, theta, g, mu, gamma):
         z = mul(t, gamma)
         distance = mul(mul(fall, n), phi2m(z))
     return settle(distance, void, undecided_distance, rest=rest, at_rest=0.0)
+
+
+def speed_free(t, theta, g):
+    """Speed along a chord of a bead released from rest.
+
+    t [s]: time since release
+    theta [rad]: angle of the chord from the vertical, signed, |theta| <= pi/2
+    g [m/s^2]: acceleration of gravity
+
+    Returns
+    speed [m/s]: speed
+
+    From stable.chord.speed.free, the stable form of chord.eq1.
+    Operations: 2 mul, 1 sine and cosine.
+    """
+    arguments, void = admit(
+        (t, "nonnegative"),
+        (theta, "chord angle"),
+        (g, "positive"),
+    )
+    t, theta, g = arguments
+    with quiet():
+        t = load(t)
+        g = load(g)
+        a = angle(theta)
+        C = cosine(a)
+        speed = mul(mul(t, g), C)
+    return settle(speed, void)
+
+
+def speed_friction(t, theta, g, mu):
+    """Speed along a chord of a bead released from rest.
+
+    t [s]: time since release
+    theta [rad]: angle of the chord from the vertical, signed, |theta| <= pi/2
+    g [m/s^2]: acceleration of gravity
+    mu [1]: coefficient of sliding friction
+
+    Returns
+    speed [m/s]: speed
+
+    From stable.chord.speed.friction, the stable form of chord.eq15.
+    Operations: 1 driving force, 2 mul, 1 sine and cosine.
+    """
+    arguments, void = admit(
+        (t, "nonnegative"),
+        (theta, "chord angle"),
+        (g, "positive"),
+        (mu, "nonnegative"),
+    )
+    t, theta, g, mu = arguments
+    with quiet():
+        t = load(t)
+        g = load(g)
+        mu = load(mu)
+        a = angle(theta)
+        n = driving(a, mu)
+        n, rest = moving(n)
+        speed = mul(mul(t, g), n)
+    return settle(speed, void, rest=rest, at_rest=0.0)
+
+
+def speed_drag(t, theta, g, gamma):
+    """Speed along a chord of a bead released from rest.
+
+    t [s]: time since release
+    theta [rad]: angle of the chord from the vertical, signed, |theta| <= pi/2
+    g [m/s^2]: acceleration of gravity
+    gamma [1/s]: drag coefficient over mass
+
+    Returns
+    speed [m/s]: speed
+
+    From stable.chord.speed.drag, the stable form of chord.eq29.
+    Operations: 4 mul, 1 sine and cosine, 1 table.
+    """
+    arguments, void = admit(
+        (t, "nonnegative"),
+        (theta, "chord angle"),
+        (g, "positive"),
+        (gamma, "nonnegative"),
+    )
+    t, theta, g, gamma = arguments
+    undecided_speed = clash(((g,), (gamma,)))
+    with quiet():
+        t = load(t)
+        g = load(g)
+        gamma = load(gamma)
+        a = angle(theta)
+        C = cosine(a)
+        z = mul(t, gamma)
+        speed = mul(mul(mul(t, g), C), phi1m(z))
+    return settle(speed, void, undecided_speed)
+
+
+def speed_friction_drag(t, theta, g, mu, gamma):
+    """Speed along a chord of a bead released from rest.
+
+    t [s]: time since release
+    theta [rad]: angle of the chord from the vertical, signed, |theta| <= pi/2
+    g [m/s^2]: acceleration of gravity
+    mu [1]: coefficient of sliding friction
+    gamma [1/s]: drag coefficient over mass
+
+    Returns
+    speed [m/s]: speed
+
+    From stable.chord.speed.friction_drag, the stable form of chord.eq41.
+    Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table.
+    """
+    arguments, void = admit(
+        (t, "nonnegative"),
+        (theta, "chord angle"),
+        (g, "positive"),
+        (mu, "nonnegative"),
+        (gamma, "nonnegative"),
+    )
+    t, theta, g, mu, gamma = arguments
+    undecided_speed = clash(((g,), (gamma,)))
+    with quiet():
+        t = load(t)
+        g = load(g)
+        mu = load(mu)
+        gamma = load(gamma)
+        a = angle(theta)
+        n = driving(a, mu)
+        n, rest = moving(n)
+        z = mul(t, gamma)
+        speed = mul(mul(mul(t, g), n), phi1m(z))
+    return settle(speed, void, undecided_speed, rest=rest, at_rest=0.0)
 
 
 def position_free(t, theta, g):
@@ -376,7 +506,7 @@ def position_drag(t, theta, g, gamma):
         (gamma, "nonnegative"),
     )
     t, theta, g, gamma = arguments
-    undecided_x = clash((t, g), (gamma,))
+    undecided_x = clash(((t, g), (gamma,)))
     with quiet():
         t = load(t)
         g = load(g)
@@ -419,7 +549,7 @@ def position_friction_drag(t, theta, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     t, theta, g, mu, gamma = arguments
-    undecided_x = clash((t, g), (gamma,))
+    undecided_x = clash(((t, g), (gamma,)))
     with quiet():
         t = load(t)
         g = load(g)
@@ -531,7 +661,7 @@ def synchronous_circle_drag(t, g, gamma):
         (gamma, "nonnegative"),
     )
     t, g, gamma = arguments
-    undecided_X = clash((t, g), (gamma,))
+    undecided_Y = clash(((t, g), (gamma,)))
     with quiet():
         t = load(t)
         g = load(g)
@@ -543,9 +673,9 @@ def synchronous_circle_drag(t, g, gamma):
         Y = scale(shared, -1)
         R = scale(shared, -1)
     return (
-        settle(X, void, undecided_X),
-        settle(Y, void, undecided_X),
-        settle(R, void, undecided_X),
+        settle(X, void),
+        settle(Y, void, undecided_Y),
+        settle(R, void, undecided_Y),
     )
 
 
@@ -572,8 +702,8 @@ def synchronous_circle_friction_drag(t, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     t, g, mu, gamma = arguments
-    undecided_X = clash((t, g, mu), (gamma,))
-    undecided_Y = clash((t, g), (gamma,))
+    undecided_X = clash(((t, g, mu), (gamma,)))
+    undecided_Y = clash(((t, g), (gamma,)))
     with quiet():
         t = load(t)
         g = load(g)
@@ -590,6 +720,27 @@ def synchronous_circle_friction_drag(t, g, mu, gamma):
         settle(Y, void, undecided_Y),
         settle(R, void, undecided_X),
     )
+
+
+def max_angle(mu):
+    """Angle from the vertical from which on friction holds a bead at rest.
+
+    mu [1]: coefficient of sliding friction
+
+    Returns
+    angle [rad]: angle from which on a bead stays at rest; pi/2 without friction
+
+    From stable.chord.max_angle, the stable form of chord.eq13.
+    Operations: 1 table.
+    """
+    arguments, void = admit(
+        (mu, "nonnegative"),
+    )
+    mu, = arguments
+    with quiet():
+        mu = load(mu)
+        angle = acot(mu)
+    return settle(angle, void)
 
 
 # Number of outputs, index of the angle among the arguments, and the kernel for each set of force arguments.
@@ -614,6 +765,16 @@ FUNCTIONS = {
             ('mu', 'gamma'): distance_friction_drag,
         },
     },
+    "speed": {
+        "outputs": 1,
+        "angle": 1,
+        "kernels": {
+            (): speed_free,
+            ('mu',): speed_friction,
+            ('gamma',): speed_drag,
+            ('mu', 'gamma'): speed_friction_drag,
+        },
+    },
     "position": {
         "outputs": 2,
         "angle": 1,
@@ -632,6 +793,13 @@ FUNCTIONS = {
             ('mu',): synchronous_circle_friction,
             ('gamma',): synchronous_circle_drag,
             ('mu', 'gamma'): synchronous_circle_friction_drag,
+        },
+    },
+    "max_angle": {
+        "outputs": 1,
+        "angle": None,
+        "kernels": {
+            (): max_angle,
         },
     },
 }

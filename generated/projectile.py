@@ -3,8 +3,8 @@
 
 from ._angle import angle, cosine, sine
 from ._kernel import admit, clash, quiet, settle
-from ._primitives import best_elevation, flight_factor, phi1m, phi2m, range_factor
-from ._scaled import div, load, mul, scale, sub
+from ._primitives import best_elevation, flight_factor, max_range_factor, phi0m, phi1m, phi2m, range_balance, range_factor, range_loss
+from ._scaled import constant, div, load, mul, scale, sub
 
 
 def flight_time_free(theta, v, g):
@@ -26,7 +26,7 @@ def flight_time_free(theta, v, g):
         (g, "positive"),
     )
     theta, v, g = arguments
-    undecided_time = clash((v,), (g,))
+    undecided_time = clash(((v,), (g,)))
     with quiet():
         v = load(v)
         g = load(g)
@@ -58,7 +58,7 @@ def flight_time_drag(theta, v, g, k):
         (k, "nonnegative"),
     )
     theta, v, g, k = arguments
-    undecided_time = clash((v,), (g,))
+    undecided_time = clash(((v,), (g,)))
     with quiet():
         v = load(v)
         g = load(g)
@@ -90,7 +90,7 @@ def horizontal_range_free(theta, v, g):
         (g, "positive"),
     )
     theta, v, g = arguments
-    undecided_range = clash((v,), (g,))
+    undecided_range = clash(((v,), (g,)))
     with quiet():
         v = load(v)
         g = load(g)
@@ -123,7 +123,7 @@ def horizontal_range_drag(theta, v, g, k):
         (k, "nonnegative"),
     )
     theta, v, g, k = arguments
-    undecided_range = clash((v,), (g, k))
+    undecided_range = clash(((v,), (g, k)))
     with quiet():
         v = load(v)
         g = load(g)
@@ -159,7 +159,7 @@ def position_free(t, theta, v, g):
         (g, "positive"),
     )
     t, theta, v, g = arguments
-    undecided_y = clash((v,), (t, g))
+    undecided_y = clash(((v,), (t, g)))
     with quiet():
         t = load(t)
         v = load(v)
@@ -201,8 +201,8 @@ def position_drag(t, theta, v, g, k):
         (k, "nonnegative"),
     )
     t, theta, v, g, k = arguments
-    undecided_x = clash((v,), (k,))
-    undecided_y = clash((v,), (t, g), (k,))
+    undecided_x = clash(((v,), (k,)))
+    undecided_y = clash(((v,), (t, g)), ((v,), (k,)), ((t, g), (k,)))
     with quiet():
         t = load(t)
         v = load(v)
@@ -220,6 +220,273 @@ def position_drag(t, theta, v, g, k):
         settle(x, void, undecided_x),
         settle(y, void, undecided_y),
     )
+
+
+def velocity_free(t, theta, v, g):
+    """Velocity of a projectile, y up.
+
+    t [s]: time since launch
+    theta [rad]: elevation of the launch from the horizontal, 0 <= theta <= pi/2
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+
+    Returns
+    vx [m/s]: horizontal velocity
+    vy [m/s]: upward velocity
+
+    From stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+    Operations: 1 add, 3 mul, 1 sine and cosine.
+    """
+    arguments, void = admit(
+        (t, "nonnegative"),
+        (theta, "elevation"),
+        (v, "positive"),
+        (g, "positive"),
+    )
+    t, theta, v, g = arguments
+    undecided_vy = clash(((v,), (t, g)), ((v,), (t,)))
+    with quiet():
+        t = load(t)
+        v = load(v)
+        g = load(g)
+        a = angle(theta)
+        C = cosine(a)
+        S = sine(a)
+        vx = mul(v, C)
+        vy = sub(mul(v, S), mul(t, g))
+    return (
+        settle(vx, void),
+        settle(vy, void, undecided_vy),
+    )
+
+
+def velocity_drag(t, theta, v, g, k):
+    """Velocity of a projectile, y up.
+
+    t [s]: time since launch
+    theta [rad]: elevation of the launch from the horizontal, 0 <= theta <= pi/2
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+    k [1/s]: resistance coefficient over mass
+
+    Returns
+    vx [m/s]: horizontal velocity
+    vy [m/s]: upward velocity
+
+    From stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
+    Operations: 1 add, 7 mul, 1 sine and cosine, 2 table.
+    """
+    arguments, void = admit(
+        (t, "nonnegative"),
+        (theta, "elevation"),
+        (v, "positive"),
+        (g, "positive"),
+        (k, "nonnegative"),
+    )
+    t, theta, v, g, k = arguments
+    undecided_vx = clash(((v,), (t, k)))
+    undecided_vy = clash(((v,), (t, g)), ((v,), (t, k)), ((g,), (k,)))
+    with quiet():
+        t = load(t)
+        v = load(v)
+        g = load(g)
+        k = load(k)
+        z = mul(t, k)
+        fade = phi0m(z)
+        a = angle(theta)
+        C = cosine(a)
+        S = sine(a)
+        vx = mul(mul(v, fade), C)
+        vy = sub(mul(mul(v, fade), S), mul(mul(t, g), phi1m(z)))
+    return (
+        settle(vx, void, undecided_vx),
+        settle(vy, void, undecided_vy),
+    )
+
+
+def range_slope_theta_free(theta, v, g):
+    """Derivative of the range with respect to the elevation.
+
+    theta [rad]: elevation of the launch from the horizontal, 0 <= theta <= pi/2
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+
+    Returns
+    slope [m/rad]: dR/dtheta
+
+    From stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
+    Operations: 1 add, 1 div, 4 mul, 1 sine and cosine.
+    """
+    arguments, void = admit(
+        (theta, "elevation"),
+        (v, "positive"),
+        (g, "positive"),
+    )
+    theta, v, g = arguments
+    undecided_slope = clash(((v,), (g,)))
+    with quiet():
+        v = load(v)
+        g = load(g)
+        a = angle(theta)
+        C = cosine(a)
+        S = sine(a)
+        slope = scale(div(mul(mul(v, v), sub(mul(C, C), mul(S, S))), g), 1)
+    return settle(slope, void, undecided_slope)
+
+
+def range_slope_theta_drag(theta, v, g, k):
+    """Derivative of the range with respect to the elevation.
+
+    theta [rad]: elevation of the launch from the horizontal, 0 <= theta <= pi/2
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+    k [1/s]: resistance coefficient over mass
+
+    Returns
+    slope [m/rad]: dR/dtheta
+
+    From stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
+    Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table.
+    """
+    arguments, void = admit(
+        (theta, "elevation"),
+        (v, "positive"),
+        (g, "positive"),
+        (k, "nonnegative"),
+    )
+    theta, v, g, k = arguments
+    undecided_slope = clash(((v,), (g, k)))
+    with quiet():
+        v = load(v)
+        g = load(g)
+        k = load(k)
+        a = angle(theta)
+        C = cosine(a)
+        S = sine(a)
+        rise = div(mul(v, S), g)
+        b = mul(k, rise)
+        slope = scale(div(mul(mul(mul(v, v), sub(mul(mul(C, C), range_balance(b)), mul(S, S))), range_factor(b)), g), 1)
+    return settle(slope, void, undecided_slope)
+
+
+def range_slope_k_free(theta, v, g):
+    """Derivative of the range with respect to the resistance coefficient; without resistance its limit.
+
+    theta [rad]: elevation of the launch from the horizontal, 0 <= theta <= pi/2
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+
+    Returns
+    slope [m s]: dR/dk
+
+    From stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
+    Operations: 3 div, 6 mul, 1 sine and cosine.
+    """
+    arguments, void = admit(
+        (theta, "elevation"),
+        (v, "positive"),
+        (g, "positive"),
+    )
+    theta, v, g = arguments
+    undecided_slope = clash(((v,), (g,)))
+    with quiet():
+        v = load(v)
+        g = load(g)
+        a = angle(theta)
+        S = sine(a)
+        rise = div(mul(v, S), g)
+        C = cosine(a)
+        slope = scale(div(mul(constant(-1.0), div(mul(mul(mul(mul(v, v), rise), C), S), g)), constant(3.0)), 3)
+    return settle(slope, void, undecided_slope)
+
+
+def range_slope_k_drag(theta, v, g, k):
+    """Derivative of the range with respect to the resistance coefficient; without resistance its limit.
+
+    theta [rad]: elevation of the launch from the horizontal, 0 <= theta <= pi/2
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+    k [1/s]: resistance coefficient over mass
+
+    Returns
+    slope [m s]: dR/dk
+
+    From stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
+    Operations: 2 div, 8 mul, 1 sine and cosine, 1 table.
+    """
+    arguments, void = admit(
+        (theta, "elevation"),
+        (v, "positive"),
+        (g, "positive"),
+        (k, "nonnegative"),
+    )
+    theta, v, g, k = arguments
+    undecided_slope = clash(((v,), (g, k)))
+    with quiet():
+        v = load(v)
+        g = load(g)
+        k = load(k)
+        a = angle(theta)
+        S = sine(a)
+        rise = div(mul(v, S), g)
+        C = cosine(a)
+        b = mul(k, rise)
+        slope = scale(mul(constant(-1.0), div(mul(mul(mul(mul(mul(v, v), rise), C), S), range_loss(b)), g)), 1)
+    return settle(slope, void, undecided_slope)
+
+
+def max_range_free(v, g):
+    """Greatest range, over all elevations.
+
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+
+    Returns
+    range [m]: greatest range
+
+    From stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
+    Operations: 1 div, 1 mul.
+    """
+    arguments, void = admit(
+        (v, "positive"),
+        (g, "positive"),
+    )
+    v, g = arguments
+    undecided_range = clash(((v,), (g,)))
+    with quiet():
+        v = load(v)
+        g = load(g)
+        range = div(mul(v, v), g)
+    return settle(range, void, undecided_range)
+
+
+def max_range_drag(v, g, k):
+    """Greatest range, over all elevations.
+
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+    k [1/s]: resistance coefficient over mass
+
+    Returns
+    range [m]: greatest range
+
+    From stable.projectile.max_range.drag, the stable form of projectile.thm3, projectile.range.u.
+    Operations: 2 div, 3 mul, 1 table.
+    """
+    arguments, void = admit(
+        (v, "positive"),
+        (g, "positive"),
+        (k, "nonnegative"),
+    )
+    v, g, k = arguments
+    undecided_range = clash(((v,), (g, k)))
+    with quiet():
+        v = load(v)
+        g = load(g)
+        k = load(k)
+        alpha = div(mul(v, k), g)
+        range = div(mul(mul(v, v), max_range_factor(alpha)), g)
+    return settle(range, void, undecided_range)
 
 
 def best_angle(alpha):
@@ -267,6 +534,38 @@ FUNCTIONS = {
         "kernels": {
             (): position_free,
             ('k',): position_drag,
+        },
+    },
+    "velocity": {
+        "outputs": 2,
+        "angle": 1,
+        "kernels": {
+            (): velocity_free,
+            ('k',): velocity_drag,
+        },
+    },
+    "range_slope_theta": {
+        "outputs": 1,
+        "angle": 0,
+        "kernels": {
+            (): range_slope_theta_free,
+            ('k',): range_slope_theta_drag,
+        },
+    },
+    "range_slope_k": {
+        "outputs": 1,
+        "angle": 0,
+        "kernels": {
+            (): range_slope_k_free,
+            ('k',): range_slope_k_drag,
+        },
+    },
+    "max_range": {
+        "outputs": 1,
+        "angle": None,
+        "kernels": {
+            (): max_range_free,
+            ('k',): max_range_drag,
         },
     },
     "best_angle": {

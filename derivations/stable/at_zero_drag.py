@@ -5,7 +5,7 @@ from sympy import Interval, LambertW, Tuple, atan, cos, exp, pi, sin, sqrt
 
 from galileo_sym.derivations.chord.notation import D, g, gamma, mu, n, notation, t, theta
 from galileo_sym.ledger import POSITIVE, Chapter, Domain, tell_chapter
-from galileo_sym.primitives import descent_factor, driving, phi2
+from galileo_sym.primitives import descent_factor, driving, phi1, phi2
 from galileo_sym.tactics import limits_at_zero, twin_at_zero
 
 chapter = Chapter("stable.at_zero_drag", notation, "stable forms (not printed)")
@@ -27,7 +27,8 @@ ALL_ANGLES = {**PATH, theta: Interval.open(-pi / 2, pi / 2)}
 SLIDING_PATH = {**PATH, mu: POSITIVE, theta: SLIDING}
 
 FALL = g * t**2 / 2
-CLOSED = {descent_factor: LambertW, phi2: exp}
+SPED = g / gamma * (1 - exp(-gamma * t))
+CLOSED = {descent_factor: LambertW, phi1: exp, phi2: exp}
 
 # Stable form, its output and primitive; the printed form, its value and its slope in gamma at 0; the assumptions.
 ROWS = (
@@ -43,6 +44,8 @@ ROWS = (
     ),
     ("distance.drag", 0, phi2, FALLEN * cos(theta), FALL * cos(theta), -(t**3) * g / 6 * cos(theta), ALL_ANGLES),
     ("distance.friction_drag", 0, phi2, FALLEN * SLIDE, FALL * SLIDE, -(t**3) * g / 6 * SLIDE, SLIDING_PATH),
+    ("speed.drag", 0, phi1, SPED * cos(theta), g * t * cos(theta), -(t**2) * g / 2 * cos(theta), ALL_ANGLES),
+    ("speed.friction_drag", 0, phi1, SPED * SLIDE, g * t * SLIDE, -(t**2) * g / 2 * SLIDE, SLIDING_PATH),
     (
         "position.drag",
         0,

@@ -1,11 +1,28 @@
 """Stable forms of the chord formulas: the drag-free value times a factor of one dimensionless number."""
 
 import sympy as sp
-from sympy import Abs, Eq, Interval, Tuple, atan, cos, exp, pi, sin, sqrt
+from sympy import Abs, Eq, Interval, Tuple, acot, atan, cos, exp, pi, sin, sqrt
 
-from galileo_sym.derivations.chord.notation import D, R, X, Y, g, gamma, mu, n, notation, s, t, t_AB, theta, x, y
+from galileo_sym.derivations.chord.notation import (
+    D,
+    R,
+    X,
+    Y,
+    g,
+    gamma,
+    mu,
+    n,
+    notation,
+    s,
+    t,
+    t_AB,
+    theta,
+    theta_max,
+    x,
+    y,
+)
 from galileo_sym.ledger import NONNEGATIVE, POSITIVE, Chapter, DerivationError, Domain, step, tell_chapter
-from galileo_sym.primitives import descent_factor, driving, phi2
+from galileo_sym.primitives import descent_factor, driving, phi1, phi2
 from galileo_sym.tactics import at_rest, introduce, read_circle, solve_motion
 
 chapter = Chapter("stable.chord", notation, "stable forms (not printed)")
@@ -127,6 +144,29 @@ def distance_friction_drag(eq41, claim__negative_theta_sign):
     return Eq(s(t), in_driving(introduce(both, phi2(-gamma * t), closed=exp)))
 
 
+SLOW = phi1(-gamma * t)
+SPEEDS = {
+    "free": g * t * cos(theta),
+    "friction": g * t * SLIDE,
+    "drag": g * t * cos(theta) * SLOW,
+    "friction_drag": g * t * SLIDE * SLOW,
+}
+
+
+def speed(path):
+    """The speed is the slope of the distance; phi2 leaves phi1, and nothing cancels."""
+    return Eq(s(t).diff(t), sp.simplify(sp.diff(path.of(s(t)), t)), evaluate=False)
+
+
+for _forces, _speed in SPEEDS.items():
+    chapter.derive(
+        f"stable.chord.speed.{_forces}",
+        Eq(s(t).diff(t), _speed),
+        PATHS[_forces][1],
+        premises=(f"stable.chord.distance.{_forces}",),
+    )(speed)
+
+
 def place(path, setup):
     """The coordinates of a bead from its distance along the chord."""
     put = {s(t): path.of(s(t))}
@@ -186,6 +226,12 @@ def circle_friction_drag(eq45, eq46, eq47):
     """The exponential is taken out of (45) by phi2; (46) and (47) follow."""
     depth = introduce(eq45.rhs, phi2(-gamma * t), closed=exp)
     return Eq(CIRCLE, Tuple(*(e.subs(Y(t), depth) for e in (eq46.rhs, Y(t), eq47.rhs))))
+
+
+@chapter.derive("stable.chord.max_angle", Eq(theta_max, acot(mu)), Domain({mu: POSITIVE}))
+def greatest_angle(eq13):
+    """The arctangent of 1/mu is the arccotangent of mu, smooth at mu = 0, where it is pi/2."""
+    return Eq(theta_max, eq13.of(theta_max).rewrite(acot))
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ With s = gamma t (or k t) at the arrival: p^2/2 = s - 1 + e^(-s); 1 + b = s/(1 -
 """
 
 import sympy as sp
-from sympy import Ge, LambertW, Rational, exp, pi, sin, sqrt
+from sympy import Derivative, Eq, Ge, LambertW, Rational, exp, pi, sin, sqrt
 
 from galileo_sym.derivations.projectile.notation import alpha, theta_max
 from galileo_sym.derivations.stable.notation import a, b, notation, p, s, z
@@ -15,11 +15,14 @@ from galileo_sym.primitives import (
     best_sine,
     descent_factor,
     flight_factor,
+    max_range_factor,
     phi1,
     phi2,
+    range_balance,
     range_factor,
+    range_loss,
 )
-from galileo_sym.tactics import elementary_limit, ladder, limits_at_zero
+from galileo_sym.tactics import elementary_limit, introduce, ladder, limits_at_zero
 
 chapter = Chapter("stable.singularities", notation, "stable forms (not printed)")
 
@@ -49,9 +52,14 @@ def by_parameter(form, x, path, w_in_s, in_s):
 DESCENT = descent_factor(p).rewrite(LambertW)
 FLIGHT = flight_factor(b).rewrite(LambertW)
 RANGE = range_factor(b).rewrite(LambertW)
+BALANCE = range_balance(b).rewrite(LambertW)
+LOSS = range_loss(b).rewrite(LambertW)
+LARGEST = max_range_factor(a).rewrite(LambertW)
 SINE = best_sine(a).rewrite(LambertW)
 ANGLE = best_angle(a).rewrite(LambertW)
 W_FLIGHT = -s / (exp(s) - 1)
+RANGE_OF_S = (1 - exp(-s)) / (2 * B_OF_S)
+BALANCE_OF_S = (s - 1 + exp(-s)) / (exp(s) - 1 - s)
 
 
 @chapter.derive(
@@ -89,7 +97,33 @@ def flight_at_zero():
 @chapter.derive("stable.at-zero.range_factor", limits_at_zero(RANGE, b, 1, -Rational(4, 3)), Domain({s: POSITIVE}))
 def range_at_zero():
     """W = -s/(e^s - 1), and the factor is (1 - e^(-s))/(2 b)."""
-    return by_parameter(RANGE, b, B_OF_S, W_FLIGHT, (1 - exp(-s)) / (2 * B_OF_S))
+    return by_parameter(RANGE, b, B_OF_S, W_FLIGHT, RANGE_OF_S)
+
+
+@chapter.derive("stable.at-zero.range_balance", limits_at_zero(BALANCE, b, 1, -Rational(4, 3)), Domain({s: POSITIVE}))
+def balance_at_zero():
+    """W = -s/(e^s - 1), and the balance is tan^2 of the elevation of largest range, by s."""
+    return by_parameter(BALANCE, b, B_OF_S, W_FLIGHT, BALANCE_OF_S)
+
+
+@chapter.derive(
+    "stable.range_loss", Eq(-Derivative(range_factor(b), b), range_loss(b), evaluate=False), Domain({b: POSITIVE})
+)
+def loss_is_slope():
+    """The slope of the closed form over the form itself, times b, is 1 less the balance."""
+    share = sp.simplify(-b * sp.diff(RANGE, b) / RANGE)
+    balance = sp.simplify(introduce(1 - share, range_balance(b)))
+    step("the share lost", Eq(share, 1 - balance, evaluate=False))
+    slope = range_factor(b) * (1 - balance) / b
+    return Eq(-Derivative(range_factor(b), b), slope.subs(range_loss(b).rewrite(range_balance), range_loss(b)))
+
+
+@chapter.derive(
+    "stable.at-zero.range_loss", limits_at_zero(LOSS, b, Rational(4, 3), -Rational(28, 9)), Domain({s: POSITIVE})
+)
+def loss_at_zero():
+    """W = -s/(e^s - 1), and the loss is range_factor (1 - range_balance)/b."""
+    return by_parameter(LOSS, b, B_OF_S, W_FLIGHT, RANGE_OF_S * (1 - BALANCE_OF_S) / B_OF_S)
 
 
 @chapter.derive(
@@ -101,6 +135,17 @@ def best_sine_at_zero(projectile__support__kT_at_max):
     path, one_more = sqrt(told.of(alpha**2)), told.of(s)
     w_in_s = s - one_more.xreplace(dict.fromkeys(one_more.atoms(LambertW), sp.S.Zero))
     return by_parameter(SINE, a, path, w_in_s, told.of(sin(theta_max)).subs(alpha, path))
+
+
+@chapter.derive(
+    "stable.at-zero.max_range_factor", limits_at_zero(LARGEST, a, 1, -2 * sqrt(2) / 3), Domain({s: POSITIVE})
+)
+def largest_range_at_zero(projectile__support__kT_at_max):
+    """W and alpha at the best angle are known along s, the impact time times k."""
+    told = projectile__support__kT_at_max
+    path, one_more = sqrt(told.of(alpha**2)), told.of(s)
+    w_in_s = s - one_more.xreplace(dict.fromkeys(one_more.atoms(LambertW), sp.S.Zero))
+    return by_parameter(LARGEST, a, path, w_in_s, sqrt(1 - (1 + s) * exp(-s)) / path)
 
 
 @chapter.derive(

@@ -1,7 +1,7 @@
 """The C99 back end: one source a paper, and the public header."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import SOLVER_TEXT, call_text, clash_groups, counts_text, sources_text
+from galileo_sym.codegen.printing import SOLVER_TEXT, call_text, clash_pairs, counts_text, sources_text
 from galileo_sym.codegen.schedule import schedule
 
 _DOMAIN_TESTS = {
@@ -70,12 +70,11 @@ def _any(conditions):
 
 def _result(function, force_set, output, node):
     value = call_text(node, "gs_")
-    groups = clash_groups(function, force_set, output)
-    if not groups:
+    pairs = clash_pairs(function, force_set, output)
+    if not pairs:
         return f"gs_store({value})"
-    seen = [_any(f"isinf({n}_in)" for n in group) for group in groups]
-    pairs = _any(f"({a} && {b})" for i, a in enumerate(seen) for b in seen[i + 1 :])
-    return f"gs_settle({value}, {pairs})"
+    seen = [[_any(f"isinf({n}_in)" for n in group) for group in pair] for pair in pairs]
+    return f"gs_settle({value}, {_any(f'({one} && {other})' for one, other in seen)})"
 
 
 def _solver_kernel(function, force_set):

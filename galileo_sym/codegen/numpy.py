@@ -1,7 +1,7 @@
 """The NumPy back end: one module a paper, importing NumPy alone."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import SOLVER_TEXT, call_text, clash_groups, counts_text, sources_text
+from galileo_sym.codegen.printing import SOLVER_TEXT, call_text, clash_pairs, counts_text, sources_text
 from galileo_sym.codegen.schedule import TABLE_CALLS, schedule
 
 _SCALED = ("add", "constant", "div", "load", "mul", "scale", "sqrt", "sub")
@@ -24,14 +24,15 @@ def _docstring(function, force_set, operations):
     )
 
 
-def _clash_text(groups):
-    return f"clash({', '.join('(' + ', '.join(group) + ',' * (len(group) == 1) + ')' for group in groups)})"
+def _clash_text(pairs):
+    pairs = [[f"({', '.join(group)}{',' * (len(group) == 1)})" for group in pair] for pair in pairs]
+    return f"clash({', '.join(f'({one}, {other})' for one, other in pairs)})"
 
 
 def _undecided(function, force_set):
-    """Name for each distinct set of clashing groups, and the outputs' names for theirs (None: always decided)."""
-    groups = [clash_groups(function, force_set, output) for output in function.outputs]
-    texts = [_clash_text(g) if g else None for g in groups]
+    """Name for each distinct set of clashing arguments, and the outputs' names for theirs (None: always decided)."""
+    pairs = [clash_pairs(function, force_set, output) for output in function.outputs]
+    texts = [_clash_text(p) if p else None for p in pairs]
     names = {}
     for output, text in zip(function.outputs, texts, strict=True):
         if text:

@@ -1,5 +1,9 @@
 """What both languages share: nodes as nested calls, operation counts and sources in words, undecided limits."""
 
+from itertools import combinations
+
+from galileo_sym.catalogue import stable
+
 SOLVER_TEXT = "Operations: as its cases need, at most a few dozen in pairs."
 
 
@@ -31,9 +35,19 @@ def sources_text(function, force_set):
     return f"{function.ledger_id(force_set)}, the stable form of {', '.join(function.sources(force_set))}"
 
 
-def clash_groups(function, force_set, output):
-    """Return the groups of this kernel's arguments that leave the limit undecided when two are infinite at once."""
-    present = {argument.name for argument in function.arguments(force_set)}
+def clash_pairs(function, force_set, output):
+    """Return pairs of lists of this kernel's arguments: one of each list infinite at once leaves the limit undecided.
+
+    They come from the groups of the output, of which an argument may belong to several: these agree about it. What the
+    result does not depend on decides nothing.
+    """
+    form = stable(function, force_set)[function.outputs.index(output)]
+    symbols = {symbol.name for symbol in form.free_symbols}
+    present = {argument.name for argument in function.arguments(force_set) if argument.symbol in symbols}
     groups = [[name for name in group if name in present] for group in output.limits]
-    groups = [group for group in groups if group]
-    return groups if len(groups) > 1 else []
+    pairs = []
+    for one, other in combinations(groups, 2):
+        pair = [name for name in one if name not in other], [name for name in other if name not in one]
+        if all(pair):
+            pairs.append(pair)
+    return pairs

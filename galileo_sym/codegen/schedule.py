@@ -8,23 +8,27 @@ from collections import Counter
 from dataclasses import dataclass, field
 from functools import reduce
 
-from sympy import Add, Function, Integer, Mul, Number, Pow, Rational, Symbol, cos, sin
+from sympy import Add, Function, Integer, Mul, Number, Pow, Rational, Symbol, cos, exp, sin
 
 from galileo_sym.catalogue import NAMED, stable
-from galileo_sym.primitives import FUNCTIONS as PRIMITIVES
 from galileo_sym.primitives import driving
 
 # How each function is called: emitted name, name given to its value or argument.
 _OF_ANGLE = {sin: ("sine", "S"), cos: ("cosine", "C"), driving: ("driving", "n")}
-_OF_NUMBER = {
+OF_NUMBER = {
+    "exp": ("phi0m", "z", -1),
     "phi1": ("phi1m", "z", -1),
     "phi2": ("phi2m", "z", -1),
     "descent_factor": ("descent_factor", "p", 1),
     "flight_factor": ("flight_factor", "b", 1),
     "range_factor": ("range_factor", "b", 1),
+    "range_balance": ("range_balance", "b", 1),
+    "range_loss": ("range_loss", "b", 1),
     "best_angle": ("best_elevation", None, 1),
+    "max_range_factor": ("max_range_factor", "alpha", 1),
+    "acot": ("acot", None, 1),
 }
-TABLE_CALLS = tuple(name for name, _, _ in _OF_NUMBER.values())
+TABLE_CALLS = tuple(name for name, _, _ in OF_NUMBER.values())
 _COUNTED = {
     "mul": "mul",
     "div": "div",
@@ -64,6 +68,14 @@ def _count(node, total):
             total[_COUNTED[node[0]]] += 1
         for operand in node[1:]:
             _count(operand, total)
+
+
+def _powers(expression):
+    """Exponents of a product's factors by their bases; an exponential is a base of its own, no power of e."""
+    total = Counter()
+    for factor in Mul.make_args(expression):
+        total.update({factor: Integer(1)} if isinstance(factor, exp) else factor.as_powers_dict())
+    return total
 
 
 class _Scheduler:
@@ -108,9 +120,9 @@ class _Scheduler:
             angle = self.assign("a", ("angle", expression.args[0]), ("angle", expression.args[0].name))
             rest = tuple(self.lower(argument) for argument in expression.args[1:])
             return self.assign(name, expression, (call, angle, *rest))
-        if expression.func.__name__ not in PRIMITIVES:
+        if expression.func.__name__ not in OF_NUMBER:
             raise TypeError(f"no emitted function for {expression.func}")
-        call, name, sign = _OF_NUMBER[expression.func.__name__]
+        call, name, sign = OF_NUMBER[expression.func.__name__]
         argument = sign * expression.args[0]
         node = self.lower(argument)
         return (call, self.assign(name, argument, node) if name and not argument.is_Symbol else node)
@@ -126,7 +138,7 @@ class _Scheduler:
 
     def product(self, expression):
         """Node of a product or power: named factors first, square roots gathered into one."""
-        powers = expression.as_powers_dict()
+        powers = _powers(expression)
         for name, form in self.named:
             powers = self._factor_out(name, form, powers)
         whole = {b: e for b, e in powers.items() if e.is_Integer}
@@ -138,7 +150,7 @@ class _Scheduler:
         return node
 
     def _factor_out(self, name, form, powers):
-        wanted = {b: e for b, e in form.as_powers_dict().items() if not b.is_Number}
+        wanted = {b: e for b, e in _powers(form).items() if not b.is_Number}
         if not all(b in powers and powers[b] / e >= 1 for b, e in wanted.items()):
             return powers
         left = {b: e - wanted.get(b, 0) for b, e in powers.items()}
@@ -200,7 +212,7 @@ _LOWERING = {
 
 def _shared_factor(forms):
     """Return the product of the factors that all outputs have in common, without numbers; 1 if there is none."""
-    powers = [form.as_powers_dict() for form in forms if form != 0]
+    powers = [_powers(form) for form in forms if form != 0]
     if len(powers) < 2 or any(form.is_Add for form in forms):
         return Integer(1)
     common = {b: min(p[b] for p in powers) for b in powers[0] if not b.is_Number and all(b in p for p in powers)}

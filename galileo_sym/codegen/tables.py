@@ -26,12 +26,11 @@ def _parts(column, part):
 
 
 def numpy_tables():
-    """Return the source of the NumPy tables: coefficients by power, then by piece."""
+    """Return the source of the NumPy tables: coefficients by column, then by piece."""
     out = ['"""Tables of the primitives, of sine and cosine, and constants."""\n\nimport numpy as np\n\n']
     out.append(f"PER_BINADE = {PER_BINADE}\nANGLE_STEPS = {ANGLE_STEPS}\n")
     values = constants()
-    out.append(f"HALF_PI = {values['half_pi']!r}\nLOG_2 = {values['log_2']!r}\n")
-    out.append(f"E = {values['e']!r}\nINVERSE_E = {values['inverse_e']!r}\n")
+    out += [f"{name.upper()} = {parts!r}\n" for name, parts in values.items()]
     for name, key in (("SINC", "sinc"), ("COSM1", "cosm1")):
         out.append(f"{name} = {series_rows(key, _SERIES_TERMS)!r}\n")
     for name, count in _PAIR_TERMS.items():
@@ -51,8 +50,8 @@ def numpy_tables():
             f'        "centres": np.array(\n            [\n{_numbers([p.centre for p in fitted], " " * 16, 6)},\n'
         )
         out.append('            ]\n        ),\n        "coefficients": np.array(\n            [\n')
-        for power in range(DEGREE + 2):
-            row = [p.coefficients[power] for p in fitted]
+        for column in range(DEGREE + 3):
+            row = [p.coefficients[column] for p in fitted]
             out.append(f"                [\n{_numbers(row, ' ' * 20, 4)},\n                ],\n")
         out.append("            ]\n        ),\n    },\n")
     out.append("}\n")
@@ -92,6 +91,6 @@ def c_sizes():
     """Return the macros that give the tables' shapes."""
     return (
         f"#define GS_PER_BINADE {PER_BINADE}\n#define GS_ANGLE_STEPS {ANGLE_STEPS}\n#define GS_DEGREE {DEGREE}\n"
-        f"#define GS_ROW {DEGREE + 3}\n#define GS_SERIES_TERMS {_SERIES_TERMS}\n"
+        f"#define GS_ROW {DEGREE + 4}\n#define GS_SERIES_TERMS {_SERIES_TERMS}\n"
         + "".join(f"#define GS_{name.upper()}_TERMS {count}\n" for name, count in _PAIR_TERMS.items())
     )

@@ -128,7 +128,7 @@ def _near(f, x, at, direction, point, digits):
         place = sp.sign(at) / h
     else:
         place = at + h if direction == "+" else at - h
-    return value(f, {**point, x: place}, 4 * digits)
+    return value(f, {**point, x: place}, 8 * digits)
 
 
 def holds(statement, point) -> bool:

@@ -11,7 +11,7 @@ from sympy.core.function import AppliedUndef
 from . import numeric
 
 DIGITS = (30, 60)
-_NOT_LOOKED_AT = (sp.Derivative, sp.Limit, sp.Sum, sp.Integral, sp.Subs, sp.Order, sp.Piecewise, sp.Lambda)
+_NOT_LOOKED_AT = (sp.Limit, sp.Sum, sp.Integral, sp.Subs, sp.Order, sp.Piecewise, sp.Lambda)
 
 
 def nonzero_somewhere(expr) -> bool:
@@ -20,6 +20,9 @@ def nonzero_somewhere(expr) -> bool:
     Unknown functions count as symbols. False says nothing: it may be 0, or without a value at the points tried.
     """
     if expr.has(*_NOT_LOOKED_AT):
+        return False
+    expr = expr.replace(lambda e: isinstance(e, sp.Derivative), lambda e: e.doit())
+    if expr.has(sp.Derivative, sp.Subs):  # of unknown functions
         return False
     expr = expr.xreplace({f: _like(f) for f in expr.atoms(AppliedUndef)})
     symbols = sorted(expr.free_symbols, key=lambda s: (s.name, str(s.assumptions0)))

@@ -9,9 +9,12 @@ from galileo_sym.primitives.functions import (
     descent_factor,
     driving,
     flight_factor,
+    max_range_factor,
     phi1,
     phi2,
+    range_balance,
     range_factor,
+    range_loss,
 )
 from galileo_sym.primitives.multiprecision import mp_value
 
@@ -26,10 +29,13 @@ __all__ = [
     "descent_factor",
     "driving",
     "flight_factor",
+    "max_range_factor",
     "mp_value",
     "phi1",
     "phi2",
+    "range_balance",
     "range_factor",
+    "range_loss",
     "w0_offset",
     "wm1_offset",
 ]

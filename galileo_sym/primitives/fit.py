@@ -1,7 +1,7 @@
 """Piecewise polynomials for a smooth function of x >= 0, on a grid that is uniform within each binade of 1 + x.
 
-On a piece with centre c the function is c0 + (c0_lo + d (c1 + d (c2 + ...))), d = x - c: the leading coefficient is a
-pair of doubles, so that evaluation in plain arithmetic gives the result as an unevaluated sum hi + lo.
+On a piece with centre c the function is c0 + d (c1 + d (c2 + ...)), d = x - c, with c0 and c1 as pairs of doubles: only
+terms below 2**-8 of the result are rounded to doubles, and the result is an unevaluated sum hi + lo.
 """
 
 from dataclasses import dataclass
@@ -9,14 +9,14 @@ from math import frexp, ldexp
 
 from mpmath import mp, mpf
 
-PER_BINADE = 8
+PER_BINADE = 16
 _DIGITS = 45
 _CHECKS = 7
 
 
 @dataclass(frozen=True)
 class Piece:
-    """One polynomial: its centre, the coefficients (c0, c0_lo, c1, ..., cn), and its largest relative error found."""
+    """One polynomial: centre, coefficients (c0, c0_lo, c1, c1_lo, c2, ..., cn), and the largest relative error seen."""
 
     centre: float
     coefficients: tuple
@@ -57,6 +57,20 @@ def _difference_quotient(function, lower, upper, centre, nodes):
     return anchor, coefficients
 
 
+def _pair(value):
+    head = float(value)
+    return head, float(value - mpf(head))
+
+
+def polynomial(coefficients, d):
+    """The value of a piece at a distance d from its centre, by its coefficients, to the working precision."""
+    tail = mpf(0)
+    for c in reversed(coefficients[4:]):
+        tail = tail * d + c
+    tail = tail * d + coefficients[3] + coefficients[2]
+    return tail * d + coefficients[1] + coefficients[0]
+
+
 def fit_piece(function, index, degree):
     """Fit one piece.
 
@@ -77,16 +91,12 @@ def fit_piece(function, index, degree):
     with mp.workdps(_DIGITS):
         lower, upper, centre = piece_bounds(index)
         anchor, exact = _difference_quotient(function, lower, upper, centre, degree)
-        head = float(anchor)
-        coefficients = (head, float(anchor - mpf(head)), *(float(c) for c in exact))
+        coefficients = (*_pair(anchor), *_pair(exact[0]), *(float(c) for c in exact[1:]))
         worst = mpf(0)
         for j in range(_CHECKS + 1):
             x = lower + (mpf(upper) - lower) * j / _CHECKS
-            tail = mpf(0)
-            for c in reversed(coefficients[2:]):
-                tail = tail * (x - centre) + c
             value = function(x)
-            missed = abs(mpf(head) + (coefficients[1] + tail * (x - centre)) - value)
+            missed = abs(polynomial(coefficients, x - centre) - value)
             worst = max(worst, missed / abs(value) if value else missed)
         return Piece(centre, coefficients, float(worst))
 

@@ -7,7 +7,7 @@ Each knows its value at the removable singularity, its derivative, its closed fo
 # ruff: noqa: N801 (named as the mathematical functions are, like those of SymPy)
 
 import mpmath
-from sympy import Abs, Float, Function, LambertW, S, asin, cos, exp, pi, sign, sin, sqrt
+from sympy import Abs, Float, Function, LambertW, Rational, S, asin, cos, exp, pi, sign, sin, sqrt
 from sympy.core.function import ArgumentIndexError
 
 from galileo_sym.primitives.multiprecision import mp_value
@@ -138,10 +138,54 @@ class range_factor(Primitive):
 
     @staticmethod
     def _derivative(b):
-        return (flight_factor(b).diff(b) - range_factor(b)) / (1 + b)
+        return (flight_factor(b).fdiff() - range_factor(b)) / (1 + b)
 
     def _eval_rewrite_as_LambertW(self, b, **kwargs):
         return flight_factor(b).rewrite(LambertW) / (1 + b)
+
+
+class range_balance(Primitive):
+    """range_balance(b) = b exp(-T)/(T - b) with T = (1 + b)(1 - exp(-T)), T >= 0; 1 at b = 0.
+
+    The square of the tangent of the elevation at which the range is largest for its b = k v sin(theta)/g; it is -dy/du
+    of the projectile's Lemma (b), and exp(-T)/(2 flight_factor(b) - 1).
+    """
+
+    at_zero = S.One
+    latex_name = r"\operatorname{balance}"
+    is_positive = True
+
+    @staticmethod
+    def _derivative(b):
+        excess = 2 * flight_factor(b) - 1  # (T - b)/b
+        steepness = 2 * range_factor(b) / excess  # dT/db
+        return range_balance(b) * (1 / b - steepness - (steepness - 1) / (b * excess))
+
+    def _eval_rewrite_as_LambertW(self, b, **kwargs):
+        w = LambertW(-(1 + b) * exp(-1 - b))
+        return -b * w / ((1 + b) * (1 + w))
+
+
+class range_loss(Primitive):
+    """range_loss(b) = range_factor(b) (1 - range_balance(b))/b, the slope of -range_factor; 4/3 at b = 0.
+
+    What the range loses with resistance, at b = k v sin(theta)/g; projectile, Lemma (e).
+    """
+
+    at_zero = Rational(4, 3)
+    latex_name = r"\operatorname{loss}"
+    is_positive = True
+
+    @staticmethod
+    def _derivative(b):
+        balance = range_balance(b)
+        return -(range_loss(b) * (2 - balance) + range_factor(b) * balance.fdiff()) / b
+
+    def _eval_rewrite_as_LambertW(self, b, **kwargs):
+        return self._eval_rewrite_as_range_balance(b).rewrite(LambertW)
+
+    def _eval_rewrite_as_range_balance(self, b, **kwargs):
+        return range_factor(b) * (1 - range_balance(b)) / b
 
 
 class best_sine(Primitive):
@@ -172,13 +216,33 @@ class best_angle(Primitive):
 
     @staticmethod
     def _derivative(a):
-        return best_sine(a).diff(a) / sqrt(1 - best_sine(a) ** 2)
+        return best_sine(a).fdiff() / sqrt(1 - best_sine(a) ** 2)
 
     def _eval_rewrite_as_LambertW(self, a, **kwargs):
         return asin(best_sine(a).rewrite(LambertW))
 
     def _eval_rewrite_as_asin(self, a, **kwargs):
         return asin(best_sine(a))
+
+
+class max_range_factor(Primitive):
+    """max_range_factor(a) = sqrt(1 - (1 + s) exp(-s))/a with 1 + (s - 1) exp(s) = a**2, s >= 0; 1 at a = 0.
+
+    The greatest range with resistance over that without, v**2/g, at a = k v/g; projectile, Theorem 3 in the range.
+    """
+
+    at_zero = S.One
+    latex_name = r"\operatorname{maxrange}"
+    is_positive = True
+
+    @staticmethod
+    def _derivative(a):
+        fading = best_sine(a) / (a + best_sine(a))  # exp(-s)
+        return (fading**2 / max_range_factor(a) - max_range_factor(a)) / a
+
+    def _eval_rewrite_as_LambertW(self, a, **kwargs):
+        s = 1 + LambertW((a**2 - 1) * exp(-1))
+        return sqrt(1 - (1 + s) * exp(-s)) / a
 
 
 class driving(Function):
@@ -227,5 +291,17 @@ class driving(Function):
 
 FUNCTIONS = {
     cls.__name__: cls
-    for cls in (phi1, phi2, descent_factor, flight_factor, range_factor, best_sine, best_angle, driving)
+    for cls in (
+        phi1,
+        phi2,
+        descent_factor,
+        flight_factor,
+        range_factor,
+        range_balance,
+        range_loss,
+        best_sine,
+        best_angle,
+        max_range_factor,
+        driving,
+    )
 }

@@ -108,18 +108,61 @@ def _range_factor(b):
     return _flight_root(b) / (2 * b * (1 + b)) if b else mpf(1)
 
 
+def _range_balance(b):
+    """b exp(-T)/(T - b), which is phi2(-T)/phi2(T)."""
+    if not b:
+        return mpf(1)
+    with mp.extraprec(max(0, mp.mag(b))):  # the exponential needs T to within an absolute error
+        T = _flight_root(b)
+        return _phi2(-T) / _phi2(T)
+
+
+def _odd_part(T):
+    """phi2(T) - phi2(-T), by its power series where it cancels."""
+    if T > 1:
+        return _phi2(T) - _phi2(-T)
+    total = term = T / 3
+    k = 4
+    while term > mp.eps * total / 4:
+        term = term * T**2 / (k * (k + 1))
+        total += term
+        k += 2
+    return total
+
+
+def _range_loss(b):
+    """range_factor (1 - phi2(-T)/phi2(T))/b."""
+    if not b:
+        return mpf(4) / 3
+    T = _flight_root(b)
+    return T / (2 * b * (1 + b)) * _odd_part(T) / (_phi2(T) * b)
+
+
+def _max_range_factor(a):
+    """sqrt(1 - (1 + s) exp(-s))/a, which is s exp(-s/2) sqrt(phi2(s))/a."""
+    if not a:
+        return mpf(1)
+    s = _best_root(a)
+    return s * mp.sqrt(mp.exp(-s) * _phi2(s)) / a
+
+
 _VALUES = {
     "phi1": _phi1,
     "phi2": _phi2,
     "descent_factor": lambda p: _descent_root(p) / p if p else mpf(1),
     "flight_factor": lambda b: _flight_root(b) / (2 * b) if b else mpf(1),
     "range_factor": _range_factor,
+    "range_balance": _range_balance,
+    "range_loss": _range_loss,
     "best_sine": _best_sine,
     "best_angle": lambda a: mp.asin(_best_sine(a)),
     "w0_offset": _w0_offset,
     "wm1_offset": _wm1_offset,
     "branch_factor": _branch_factor,
     "wright_omega": _omega_root,
+    "max_range_factor": _max_range_factor,
+    "exp": mp.exp,
+    "acot": lambda x: mp.acot(x) if x else mp.pi / 2,
     "log1p": mp.log1p,
 }
 
@@ -130,9 +173,10 @@ def mp_value(name, x):
     Parameters
     ----------
     name : str
-        ``phi1`` or ``phi2`` (x real), ``descent_factor``, ``flight_factor``, ``range_factor``, ``best_sine``,
-        ``best_angle``, ``w0_offset``, ``wm1_offset``, ``branch_factor``, ``log1p`` or ``wright_omega`` (x >= 0). All
-        dimensionless; ``best_angle`` in radians.
+        ``phi1``, ``phi2`` or ``exp`` (x real), ``descent_factor``, ``flight_factor``, ``range_factor``,
+        ``range_balance``, ``range_loss``, ``best_sine``, ``best_angle``, ``max_range_factor``, ``w0_offset``,
+        ``wm1_offset``, ``branch_factor``, ``acot``, ``log1p`` or ``wright_omega`` (x >= 0). All dimensionless;
+        ``best_angle`` and ``acot`` in radians.
     x : real number
         Taken exactly.
 
@@ -146,7 +190,7 @@ def mp_value(name, x):
     ValueError
         If x < 0 where the primitive is defined for x >= 0 only.
     """
-    if name not in ("phi1", "phi2") and x < 0:
+    if name not in ("phi1", "phi2", "exp") and x < 0:
         raise ValueError(f"{name} is defined for arguments >= 0, not for {x}")
     with mp.extraprec(_GUARD_BITS):
         value = _VALUES[name](mpf(x))

@@ -8,13 +8,13 @@ from mpmath import mp, mpf
 from galileo_sym.primitives.fit import fit, pieces_up_to
 from galileo_sym.primitives.multiprecision import mp_value
 
-DEGREE = 12
-TOLERANCE = 2.0**-55
+DEGREE = 11
+TOLERANCE = 2.0**-60
 
 
 @dataclass(frozen=True)
 class Far:
-    """Behaviour beyond the table: 2**shift * x**power * (1 + correction * x**-order), power -1, 0 or 1."""
+    """Behaviour beyond the table: 2**shift * x**power * (1 + correction * x**-order), power from -2 to 1."""
 
     power: int
     shift: int
@@ -78,7 +78,30 @@ TABLES = {
             Far(-1, -1, 0.0, 1),
             "(1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T))",
         ),
+        Table(
+            "range_loss",
+            _of("range_loss"),
+            47.0,
+            Far(-2, -1, 0.0, 1),
+            "-d/db of (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T))",
+        ),
+        Table(
+            "grown_balance",
+            lambda x: mp.exp(x) * mp_value("range_balance", x),
+            47.0,
+            None,
+            "b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T))",
+        ),
         Table("best_angle", _of("best_angle"), 1023.0, None, "asin(a/(exp(s) - 1)) with 1 + (s - 1) exp(s) = a^2"),
+        Table(
+            "max_range_factor",
+            _of("max_range_factor"),
+            1023.0,
+            None,
+            "sqrt(1 - (1 + s) exp(-s))/a with 1 + (s - 1) exp(s) = a^2",
+        ),
+        Table("acot", _of("acot"), 16383.0, Far(-1, 0, -1.0 / 3.0, 2), "acot(x)"),
+        Table("phi0m", _of("exp", -1), 0.75, None, "exp(-z), z below log(2)"),
         Table("wright_omega", _of("wright_omega"), 1535.0, None, "w with w + log(w) = y"),
         Table("principal", _of("branch_factor"), 3.0, None, "exp(-W0(x)) at sqrt(2 (1 + e x))"),
         Table("w0_offset", _over_root("w0_offset"), 11.0, None, "(1 + W0(-exp(-1 - x)))/sqrt(2 x) at sqrt(2 x)"),

@@ -162,3 +162,10 @@ def linear_exponential_roots(a, b, c, d):
     if zero_is_a_root and kappa <= -1:
         return (first, ZERO)
     return (first, enclosure((rest + _lower_offset(distance)) / _quotient(d)))
+
+
+EQUATIONS = {
+    "lambert.w0": w0,
+    "lambert.wm1": wm1,
+    "lambert.linear_exponential_roots": linear_exponential_roots,
+}

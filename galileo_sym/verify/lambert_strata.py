@@ -159,4 +159,4 @@ ROOTS = (
     _of_equation("logarithm-near-0", _logarithm_near_0),
 )
 
-STRATA = {"w0": W0, "wm1": WM1, "linear_exponential_roots": ROOTS}
+TABLES = {"lambert.w0": W0, "lambert.wm1": WM1, "lambert.linear_exponential_roots": ROOTS}

@@ -328,6 +328,166 @@ void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const fl
         distance[i] = gs_chord_distancef(t[i], theta[i], g[i], mu[i], gamma[i]);
 }
 
+/* stable.chord.speed.free, the stable form of chord.eq1.
+ * Operations: 2 mul, 1 sine and cosine. */
+double gs_chord_speed_free(double t_in, double theta_in, double g_in)
+{
+    if (isnan(t_in) || isnan(theta_in) || isnan(g_in))
+        return NAN;
+    if (!(gs_nonnegative(t_in) && gs_chord_angle(theta_in) && gs_positive(g_in)))
+        return gs_invalid();
+    const gs_scaled t = gs_load(t_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled C = gs_cosine(a);
+    return gs_store(gs_mul(gs_mul(t, g), C));
+}
+
+/* stable.chord.speed.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
+double gs_chord_speed_friction(double t_in, double theta_in, double g_in, double mu_in)
+{
+    if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(mu_in))
+        return NAN;
+    if (!(gs_nonnegative(t_in) && gs_chord_angle(theta_in) && gs_positive(g_in) && gs_nonnegative(mu_in)))
+        return gs_invalid();
+    const gs_scaled t = gs_load(t_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled mu = gs_load(mu_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled n = gs_driving(a, mu);
+    if (n.hi <= 0.0)
+        return 0.0;
+    return gs_store(gs_mul(gs_mul(t, g), n));
+}
+
+/* stable.chord.speed.drag, the stable form of chord.eq29.
+ * Operations: 4 mul, 1 sine and cosine, 1 table. */
+double gs_chord_speed_drag(double t_in, double theta_in, double g_in, double gamma_in)
+{
+    if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(gamma_in))
+        return NAN;
+    if (!(gs_nonnegative(t_in) && gs_chord_angle(theta_in) && gs_positive(g_in) && gs_nonnegative(gamma_in)))
+        return gs_invalid();
+    const gs_scaled t = gs_load(t_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled gamma = gs_load(gamma_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled C = gs_cosine(a);
+    const gs_scaled z = gs_mul(t, gamma);
+    return gs_settle(gs_mul(gs_mul(gs_mul(t, g), C), gs_phi1m(z)), (isinf(g_in) && isinf(gamma_in)));
+}
+
+/* stable.chord.speed.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
+double gs_chord_speed_friction_drag(double t_in, double theta_in, double g_in, double mu_in, double gamma_in)
+{
+    if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(mu_in) || isnan(gamma_in))
+        return NAN;
+    if (!(gs_nonnegative(t_in) && gs_chord_angle(theta_in) && gs_positive(g_in) && gs_nonnegative(mu_in) && gs_nonnegative(gamma_in)))
+        return gs_invalid();
+    const gs_scaled t = gs_load(t_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled mu = gs_load(mu_in);
+    const gs_scaled gamma = gs_load(gamma_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled n = gs_driving(a, mu);
+    if (n.hi <= 0.0)
+        return 0.0;
+    const gs_scaled z = gs_mul(t, gamma);
+    return gs_settle(gs_mul(gs_mul(gs_mul(t, g), n), gs_phi1m(z)), (isinf(g_in) && isinf(gamma_in)));
+}
+
+double gs_chord_speed(double t, double theta, double g, double mu, double gamma)
+{
+    return gs_chord_speed_friction_drag(t, theta, g, mu, gamma);
+}
+
+void gs_chord_speed_free_n(size_t n, const double *t, const double *theta, const double *g, double *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed_free(t[i], theta[i], g[i]);
+}
+
+float gs_chord_speed_freef(float t, float theta, float g)
+{
+    return (float)gs_chord_speed_free((double)t, gs_widen_angle(theta), (double)g);
+}
+
+void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const float *g, float *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed_freef(t[i], theta[i], g[i]);
+}
+
+void gs_chord_speed_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed_friction(t[i], theta[i], g[i], mu[i]);
+}
+
+float gs_chord_speed_frictionf(float t, float theta, float g, float mu)
+{
+    return (float)gs_chord_speed_friction((double)t, gs_widen_angle(theta), (double)g, (double)mu);
+}
+
+void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed_frictionf(t[i], theta[i], g[i], mu[i]);
+}
+
+void gs_chord_speed_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed_drag(t[i], theta[i], g[i], gamma[i]);
+}
+
+float gs_chord_speed_dragf(float t, float theta, float g, float gamma)
+{
+    return (float)gs_chord_speed_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma);
+}
+
+void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed_dragf(t[i], theta[i], g[i], gamma[i]);
+}
+
+void gs_chord_speed_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed_friction_drag(t[i], theta[i], g[i], mu[i], gamma[i]);
+}
+
+float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma)
+{
+    return (float)gs_chord_speed_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
+}
+
+void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i]);
+}
+
+void gs_chord_speed_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speed(t[i], theta[i], g[i], mu[i], gamma[i]);
+}
+
+float gs_chord_speedf(float t, float theta, float g, float mu, float gamma)
+{
+    return (float)gs_chord_speed((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
+}
+
+void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
+{
+    for (size_t i = 0; i < n; i++)
+        speed[i] = gs_chord_speedf(t[i], theta[i], g[i], mu[i], gamma[i]);
+}
+
 /* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
  * Operations: 5 mul, 1 sine and cosine. */
 void gs_chord_position_free(double t_in, double theta_in, double g_in, double *x_out, double *y_out)
@@ -600,7 +760,7 @@ void gs_chord_synchronous_circle_drag(double t_in, double g_in, double gamma_in,
     const gs_scaled fall = gs_mul(gs_mul(t, t), g);
     const gs_scaled z = gs_mul(t, gamma);
     const gs_scaled shared = gs_mul(fall, gs_phi2m(z));
-    *X_out = gs_settle(gs_constant(0.0), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
+    *X_out = gs_store(gs_constant(0.0));
     *Y_out = gs_settle(gs_scale(shared, -1), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
     *R_out = gs_settle(gs_scale(shared, -1), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
@@ -737,4 +897,33 @@ void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, co
 {
     for (size_t i = 0; i < n; i++)
         gs_chord_synchronous_circlef(t[i], g[i], mu[i], gamma[i], X + i, Y + i, R + i);
+}
+
+/* stable.chord.max_angle, the stable form of chord.eq13.
+ * Operations: 1 table. */
+double gs_chord_max_angle(double mu_in)
+{
+    if (isnan(mu_in))
+        return NAN;
+    if (!(gs_nonnegative(mu_in)))
+        return gs_invalid();
+    const gs_scaled mu = gs_load(mu_in);
+    return gs_store(gs_acot(mu));
+}
+
+void gs_chord_max_angle_n(size_t n, const double *mu, double *angle)
+{
+    for (size_t i = 0; i < n; i++)
+        angle[i] = gs_chord_max_angle(mu[i]);
+}
+
+float gs_chord_max_anglef(float mu)
+{
+    return (float)gs_chord_max_angle((double)mu);
+}
+
+void gs_chord_max_angle_nf(size_t n, const float *mu, float *angle)
+{
+    for (size_t i = 0; i < n; i++)
+        angle[i] = gs_chord_max_anglef(mu[i]);
 }

@@ -5,21 +5,30 @@
 #define GS_QUARTER_PI 0.7853981633974483
 #define GS_CLOSE 0x1p-10 /* share of the cosine below which the driving force needs more than pairs */
 #define GS_PASSES 4
+#define GS_GONE 0x1p17 /* exp(-z) of larger z is 0 times any finite number, */
+#define GS_SMALL (-(1 << 19)) /* but not times an infinite one */
+#define GS_VANISHED (-(1 << 22)) /* exp(-z) of infinite z */
 
-/* The value at x + x_lo, 0 <= x <= x_max. */
+/* The value at x + x_lo, 0 <= x + x_lo <= x_max but for rounding. */
 gs_pair gs_lookup(const gs_table *table, double x, double x_lo)
 {
     int e;
     const double m = frexp(1.0 + x, &e);
     int i = (e - 1) * GS_PER_BINADE + (int)floor((m - 0.5) * (2 * GS_PER_BINADE));
+    if (i < 0)
+        i = 0;
     if (i > table->count - 1)
         i = table->count - 1;
     const double *row = table->rows[i];
-    const double d = (x - row[0]) + x_lo;
-    double tail = row[GS_DEGREE + 2];
-    for (int k = GS_DEGREE + 1; k >= 3; k--)
-        tail = tail * d + row[k];
-    return gs_fast_two_sum(row[1], row[2] + tail * d);
+    const gs_pair d = gs_two_sum(x - row[0], x_lo);
+    double tail = row[GS_ROW - 1];
+    for (int k = GS_ROW - 2; k >= 5; k--)
+        tail = tail * d.hi + row[k];
+    const gs_pair slope = gs_two_sum(row[3], tail * d.hi);
+    const gs_pair rise = gs_two_prod(slope.hi, d.hi);
+    const gs_pair value = gs_two_sum(row[1], rise.hi);
+    const double slope_lo = slope.lo + row[4];
+    return gs_fast_two_sum(value.hi, value.lo + (row[2] + (rise.lo + (slope_lo * d.hi + slope.hi * d.lo))));
 }
 
 static gs_scaled gs_far(const gs_table *table, gs_scaled x)
@@ -30,7 +39,8 @@ static gs_scaled gs_far(const gs_table *table, gs_scaled x)
     const gs_scaled factor = gs_make(gs_fast_two_sum(1.0, small), 0);
     if (table->power == 0)
         return gs_scale(factor, table->shift);
-    return gs_scale(gs_mul(table->power < 0 ? inverse : x, factor), table->shift);
+    const gs_scaled lead = table->power == -2 ? gs_mul(inverse, inverse) : table->power == -1 ? inverse : x;
+    return gs_scale(gs_mul(lead, factor), table->shift);
 }
 
 static gs_scaled gs_primitive(const gs_table *table, gs_scaled x)
@@ -44,13 +54,41 @@ gs_scaled gs_phi2m(gs_scaled z) { return gs_primitive(&gs_phi2m_table, z); }
 gs_scaled gs_descent_factor(gs_scaled p) { return gs_primitive(&gs_descent_factor_table, p); }
 gs_scaled gs_flight_factor(gs_scaled b) { return gs_primitive(&gs_flight_factor_table, b); }
 gs_scaled gs_range_factor(gs_scaled b) { return gs_primitive(&gs_range_factor_table, b); }
+gs_scaled gs_range_loss(gs_scaled b) { return gs_primitive(&gs_range_loss_table, b); }
+gs_scaled gs_acot(gs_scaled x) { return gs_primitive(&gs_acot_table, x); }
 
-/* Natural logarithm of a >= 1 (one double, normalised). */
+/* exp(-z): 2^-n times a table at the rest that n log(2) leaves of z. */
+gs_scaled gs_phi0m(gs_scaled z)
+{
+    gs_pair u = gs_plain(z);
+    const int gone = u.hi >= GS_GONE;
+    if (gone)
+        u.hi = u.lo = 0.0;
+    const double n = floor(u.hi / gs_log_2[0]);
+    const gs_pair less = {u.lo, -n * gs_log_2[2]};
+    const gs_pair r = gs_pair_add(gs_two_sum(u.hi - n * gs_log_2[0], -n * gs_log_2[1]), less);
+    const gs_pair value = gs_lookup(&gs_phi0m_table, r.hi, r.lo);
+    return gs_make(value, gone ? (z.e > GS_LIMIT ? GS_VANISHED : GS_SMALL) : -(int)n);
+}
+
+/* b exp(-T)/(T - b), T = (1 + b)(1 - exp(-T)): exp(-b) times what grows like b/e. */
+gs_scaled gs_range_balance(gs_scaled b)
+{
+    const gs_pair u = gs_plain(b), inverse_e = {gs_inverse_e[0], gs_inverse_e[1]};
+    const gs_scaled grown = u.hi >= gs_grown_balance_table.x_max
+                                ? gs_mul(b, gs_make(inverse_e, 0))
+                                : gs_make(gs_lookup(&gs_grown_balance_table, u.hi, u.lo), 0);
+    return gs_mul(gs_phi0m(b), grown);
+}
+
+/* Natural logarithm of a >= 1. */
 static gs_pair gs_log(gs_scaled a)
 {
-    const double k = a.e - 1 < 1030 ? a.e - 1 : 1030;
+    int e;
+    const double m = frexp(a.hi, &e);
+    const double k = a.e + e - 1 < 1030 ? a.e + e - 1 : 1030;
     return gs_pair_add(gs_fast_two_sum(k * gs_log_2[0], k * gs_log_2[1]),
-                       gs_lookup(&gs_log1p_table, 2.0 * a.hi - 1.0, 0.0));
+                       gs_lookup(&gs_log1p_table, 2.0 * m - 1.0, ldexp(a.lo, 1 - e)));
 }
 
 /* Arcsine of 0 <= a < 0.011. */
@@ -62,24 +100,46 @@ static gs_scaled gs_small_arcsine(gs_scaled a)
     return gs_mul(a, gs_make(gs_fast_two_sum(1.0, rest), 0));
 }
 
-/* From w + log(w) = log(a^2 - 1) - 1, w = s - 1, and sin = w/(a - (1 + w)/a). */
-static gs_scaled gs_best_elevation_far(gs_scaled a)
+/* w = s - 1 for large a, from w + log(w) = log(a^2 - 1) - 1. */
+static gs_scaled gs_excess_far(gs_scaled a)
 {
     const double u = gs_plain(gs_div(gs_constant(1.0), a)).hi;
     const double q = u * u;
     gs_pair y = gs_log(a);
     const gs_pair twice = {y.hi + y.hi, y.lo + y.lo}, less = {-1.0, -q * (1.0 + 0.5 * q)};
     y = gs_pair_add(twice, less);
-    const gs_scaled w = gs_make(gs_lookup(&gs_wright_omega_table, y.hi, y.lo), 0);
+    return gs_make(gs_lookup(&gs_wright_omega_table, y.hi, y.lo), 0);
+}
+
+/* From sin = w/(a - (1 + w)/a). */
+static gs_scaled gs_best_elevation_far(gs_scaled a)
+{
+    const gs_scaled w = gs_excess_far(a);
     return gs_small_arcsine(gs_div(w, gs_sub(a, gs_div(gs_add(gs_constant(1.0), w), a))));
+}
+
+/* From (1 + s) exp(-s) = w (2 + w)/(a^2 - 1). */
+static gs_scaled gs_max_range_factor_far(gs_scaled a)
+{
+    const gs_scaled one = gs_constant(1.0), w = gs_excess_far(a);
+    const gs_scaled lost = gs_div(gs_mul(w, gs_add(gs_constant(2.0), w)), gs_sub(gs_mul(a, a), one));
+    return gs_div(gs_sqrt(gs_sub(one, lost)), a);
 }
 
 gs_scaled gs_best_elevation(gs_scaled a)
 {
-    const double u = gs_plain(a).hi;
-    if (u >= gs_best_angle_table.x_max)
+    const gs_pair u = gs_plain(a);
+    if (u.hi >= gs_best_angle_table.x_max)
         return gs_best_elevation_far(a);
-    return gs_make(gs_lookup(&gs_best_angle_table, u, 0.0), 0);
+    return gs_make(gs_lookup(&gs_best_angle_table, u.hi, u.lo), 0);
+}
+
+gs_scaled gs_max_range_factor(gs_scaled a)
+{
+    const gs_pair u = gs_plain(a);
+    if (u.hi >= gs_max_range_factor_table.x_max)
+        return gs_max_range_factor_far(a);
+    return gs_make(gs_lookup(&gs_max_range_factor_table, u.hi, u.lo), 0);
 }
 
 /* Index of the nearest table step, and the exact distance from it. */

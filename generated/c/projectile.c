@@ -299,6 +299,385 @@ void gs_projectile_position_nf(size_t n, const float *t, const float *theta, con
         gs_projectile_positionf(t[i], theta[i], v[i], g[i], k[i], x + i, y + i);
 }
 
+/* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 3 mul, 1 sine and cosine. */
+void gs_projectile_velocity_free(double t_in, double theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
+{
+    if (isnan(t_in) || isnan(theta_in) || isnan(v_in) || isnan(g_in)) {
+        *vx_out = *vy_out = NAN;
+        return;
+    }
+    if (!(gs_nonnegative(t_in) && gs_elevation(theta_in) && gs_positive(v_in) && gs_positive(g_in))) {
+        *vx_out = *vy_out = gs_invalid();
+        return;
+    }
+    const gs_scaled t = gs_load(t_in);
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled C = gs_cosine(a);
+    const gs_scaled S = gs_sine(a);
+    *vx_out = gs_store(gs_mul(v, C));
+    *vy_out = gs_settle(gs_sub(gs_mul(v, S), gs_mul(t, g)), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && isinf(t_in))));
+}
+
+/* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
+ * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
+void gs_projectile_velocity_drag(double t_in, double theta_in, double v_in, double g_in, double k_in, double *vx_out, double *vy_out)
+{
+    if (isnan(t_in) || isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in)) {
+        *vx_out = *vy_out = NAN;
+        return;
+    }
+    if (!(gs_nonnegative(t_in) && gs_elevation(theta_in) && gs_positive(v_in) && gs_positive(g_in) && gs_nonnegative(k_in))) {
+        *vx_out = *vy_out = gs_invalid();
+        return;
+    }
+    const gs_scaled t = gs_load(t_in);
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled k = gs_load(k_in);
+    const gs_scaled z = gs_mul(t, k);
+    const gs_scaled fade = gs_phi0m(z);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled C = gs_cosine(a);
+    const gs_scaled S = gs_sine(a);
+    *vx_out = gs_settle(gs_mul(gs_mul(v, fade), C), (isinf(v_in) && (isinf(t_in) || isinf(k_in))));
+    *vy_out = gs_settle(gs_sub(gs_mul(gs_mul(v, fade), S), gs_mul(gs_mul(t, g), gs_phi1m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && (isinf(t_in) || isinf(k_in))) || (isinf(g_in) && isinf(k_in))));
+}
+
+void gs_projectile_velocity(double t, double theta, double v, double g, double k, double *vx, double *vy)
+{
+    gs_projectile_velocity_drag(t, theta, v, g, k, vx, vy);
+}
+
+void gs_projectile_velocity_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_velocity_free(t[i], theta[i], v[i], g[i], vx + i, vy + i);
+}
+
+void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy)
+{
+    double vx_wide, vy_wide;
+    gs_projectile_velocity_free((double)t, gs_widen_angle(theta), (double)v, (double)g, &vx_wide, &vy_wide);
+    *vx = (float)vx_wide;
+    *vy = (float)vy_wide;
+}
+
+void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_velocity_freef(t[i], theta[i], v[i], g[i], vx + i, vy + i);
+}
+
+void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_velocity_drag(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
+}
+
+void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy)
+{
+    double vx_wide, vy_wide;
+    gs_projectile_velocity_drag((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &vx_wide, &vy_wide);
+    *vx = (float)vx_wide;
+    *vy = (float)vy_wide;
+}
+
+void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_velocity_dragf(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
+}
+
+void gs_projectile_velocity_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_velocity(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
+}
+
+void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy)
+{
+    double vx_wide, vy_wide;
+    gs_projectile_velocity((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &vx_wide, &vy_wide);
+    *vx = (float)vx_wide;
+    *vy = (float)vy_wide;
+}
+
+void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_velocityf(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
+}
+
+/* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
+double gs_projectile_range_slope_theta_free(double theta_in, double v_in, double g_in)
+{
+    if (isnan(theta_in) || isnan(v_in) || isnan(g_in))
+        return NAN;
+    if (!(gs_elevation(theta_in) && gs_positive(v_in) && gs_positive(g_in)))
+        return gs_invalid();
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled C = gs_cosine(a);
+    const gs_scaled S = gs_sine(a);
+    return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(v, v), gs_sub(gs_mul(C, C), gs_mul(S, S))), g), 1), (isinf(v_in) && isinf(g_in)));
+}
+
+/* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
+ * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
+double gs_projectile_range_slope_theta_drag(double theta_in, double v_in, double g_in, double k_in)
+{
+    if (isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in))
+        return NAN;
+    if (!(gs_elevation(theta_in) && gs_positive(v_in) && gs_positive(g_in) && gs_nonnegative(k_in)))
+        return gs_invalid();
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled k = gs_load(k_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled C = gs_cosine(a);
+    const gs_scaled S = gs_sine(a);
+    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled b = gs_mul(k, rise);
+    return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(gs_mul(v, v), gs_sub(gs_mul(gs_mul(C, C), gs_range_balance(b)), gs_mul(S, S))), gs_range_factor(b)), g), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+}
+
+double gs_projectile_range_slope_theta(double theta, double v, double g, double k)
+{
+    return gs_projectile_range_slope_theta_drag(theta, v, g, k);
+}
+
+void gs_projectile_range_slope_theta_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_theta_free(theta[i], v[i], g[i]);
+}
+
+float gs_projectile_range_slope_theta_freef(float theta, float v, float g)
+{
+    return (float)gs_projectile_range_slope_theta_free(gs_widen_angle(theta), (double)v, (double)g);
+}
+
+void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_theta_freef(theta[i], v[i], g[i]);
+}
+
+void gs_projectile_range_slope_theta_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_theta_drag(theta[i], v[i], g[i], k[i]);
+}
+
+float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k)
+{
+    return (float)gs_projectile_range_slope_theta_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
+}
+
+void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_theta_dragf(theta[i], v[i], g[i], k[i]);
+}
+
+void gs_projectile_range_slope_theta_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_theta(theta[i], v[i], g[i], k[i]);
+}
+
+float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k)
+{
+    return (float)gs_projectile_range_slope_theta(gs_widen_angle(theta), (double)v, (double)g, (double)k);
+}
+
+void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_thetaf(theta[i], v[i], g[i], k[i]);
+}
+
+/* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
+ * Operations: 3 div, 6 mul, 1 sine and cosine. */
+double gs_projectile_range_slope_k_free(double theta_in, double v_in, double g_in)
+{
+    if (isnan(theta_in) || isnan(v_in) || isnan(g_in))
+        return NAN;
+    if (!(gs_elevation(theta_in) && gs_positive(v_in) && gs_positive(g_in)))
+        return gs_invalid();
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled S = gs_sine(a);
+    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled C = gs_cosine(a);
+    return gs_settle(gs_scale(gs_div(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), g)), gs_constant(3.0)), 3), (isinf(v_in) && isinf(g_in)));
+}
+
+/* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
+ * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
+double gs_projectile_range_slope_k_drag(double theta_in, double v_in, double g_in, double k_in)
+{
+    if (isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in))
+        return NAN;
+    if (!(gs_elevation(theta_in) && gs_positive(v_in) && gs_positive(g_in) && gs_nonnegative(k_in)))
+        return gs_invalid();
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled k = gs_load(k_in);
+    const gs_direction a = gs_angle(theta_in);
+    const gs_scaled S = gs_sine(a);
+    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled C = gs_cosine(a);
+    const gs_scaled b = gs_mul(k, rise);
+    return gs_settle(gs_scale(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), gs_range_loss(b)), g)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+}
+
+double gs_projectile_range_slope_k(double theta, double v, double g, double k)
+{
+    return gs_projectile_range_slope_k_drag(theta, v, g, k);
+}
+
+void gs_projectile_range_slope_k_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_k_free(theta[i], v[i], g[i]);
+}
+
+float gs_projectile_range_slope_k_freef(float theta, float v, float g)
+{
+    return (float)gs_projectile_range_slope_k_free(gs_widen_angle(theta), (double)v, (double)g);
+}
+
+void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_k_freef(theta[i], v[i], g[i]);
+}
+
+void gs_projectile_range_slope_k_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_k_drag(theta[i], v[i], g[i], k[i]);
+}
+
+float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k)
+{
+    return (float)gs_projectile_range_slope_k_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
+}
+
+void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_k_dragf(theta[i], v[i], g[i], k[i]);
+}
+
+void gs_projectile_range_slope_k_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_k(theta[i], v[i], g[i], k[i]);
+}
+
+float gs_projectile_range_slope_kf(float theta, float v, float g, float k)
+{
+    return (float)gs_projectile_range_slope_k(gs_widen_angle(theta), (double)v, (double)g, (double)k);
+}
+
+void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    for (size_t i = 0; i < n; i++)
+        slope[i] = gs_projectile_range_slope_kf(theta[i], v[i], g[i], k[i]);
+}
+
+/* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
+ * Operations: 1 div, 1 mul. */
+double gs_projectile_max_range_free(double v_in, double g_in)
+{
+    if (isnan(v_in) || isnan(g_in))
+        return NAN;
+    if (!(gs_positive(v_in) && gs_positive(g_in)))
+        return gs_invalid();
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    return gs_settle(gs_div(gs_mul(v, v), g), (isinf(v_in) && isinf(g_in)));
+}
+
+/* stable.projectile.max_range.drag, the stable form of projectile.thm3, projectile.range.u.
+ * Operations: 2 div, 3 mul, 1 table. */
+double gs_projectile_max_range_drag(double v_in, double g_in, double k_in)
+{
+    if (isnan(v_in) || isnan(g_in) || isnan(k_in))
+        return NAN;
+    if (!(gs_positive(v_in) && gs_positive(g_in) && gs_nonnegative(k_in)))
+        return gs_invalid();
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled k = gs_load(k_in);
+    const gs_scaled alpha = gs_div(gs_mul(v, k), g);
+    return gs_settle(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+}
+
+double gs_projectile_max_range(double v, double g, double k)
+{
+    return gs_projectile_max_range_drag(v, g, k);
+}
+
+void gs_projectile_max_range_free_n(size_t n, const double *v, const double *g, double *range)
+{
+    for (size_t i = 0; i < n; i++)
+        range[i] = gs_projectile_max_range_free(v[i], g[i]);
+}
+
+float gs_projectile_max_range_freef(float v, float g)
+{
+    return (float)gs_projectile_max_range_free((double)v, (double)g);
+}
+
+void gs_projectile_max_range_free_nf(size_t n, const float *v, const float *g, float *range)
+{
+    for (size_t i = 0; i < n; i++)
+        range[i] = gs_projectile_max_range_freef(v[i], g[i]);
+}
+
+void gs_projectile_max_range_drag_n(size_t n, const double *v, const double *g, const double *k, double *range)
+{
+    for (size_t i = 0; i < n; i++)
+        range[i] = gs_projectile_max_range_drag(v[i], g[i], k[i]);
+}
+
+float gs_projectile_max_range_dragf(float v, float g, float k)
+{
+    return (float)gs_projectile_max_range_drag((double)v, (double)g, (double)k);
+}
+
+void gs_projectile_max_range_drag_nf(size_t n, const float *v, const float *g, const float *k, float *range)
+{
+    for (size_t i = 0; i < n; i++)
+        range[i] = gs_projectile_max_range_dragf(v[i], g[i], k[i]);
+}
+
+void gs_projectile_max_range_n(size_t n, const double *v, const double *g, const double *k, double *range)
+{
+    for (size_t i = 0; i < n; i++)
+        range[i] = gs_projectile_max_range(v[i], g[i], k[i]);
+}
+
+float gs_projectile_max_rangef(float v, float g, float k)
+{
+    return (float)gs_projectile_max_range((double)v, (double)g, (double)k);
+}
+
+void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const float *k, float *range)
+{
+    for (size_t i = 0; i < n; i++)
+        range[i] = gs_projectile_max_rangef(v[i], g[i], k[i]);
+}
+
 /* stable.projectile.best_angle, the stable form of projectile.thm3.
  * Operations: 1 table. */
 double gs_projectile_best_angle(double alpha_in)

@@ -181,6 +181,68 @@ def linear_exponential_roots(a, b, c, d):
         return _root(-w, b, a, d), _root(-far, b, a, d)
 
 
+@_precise
+def speed(t, theta, g, mu=0, gamma=0):
+    t, theta, g, mu, gamma = map(mpf, (t, theta, g, mu, gamma))
+    with mp.workprec(1500):
+        n = max(_slope(theta, mu), mpf(0))
+    with mp.workprec(_spare(*[gamma * t] * 2)):
+        return n * g * ((1 - mp.exp(-gamma * t)) / gamma if gamma else t)
+
+
+@_precise
+def max_angle(mu):
+    return mp.atan(1 / mpf(mu))
+
+
+@_precise
+def velocity(t, theta, v, g, k=0):
+    """vx, vy, and the larger of the two terms of vy."""
+    t, theta, v, g, k = map(mpf, (t, theta, v, g, k))
+    left = v * mp.exp(-k * t)
+    lost = speed(t, 0, g, 0, k)
+    risen = left * mp.sin(theta)
+    return left * mp.cos(theta), risen - lost, max(risen, lost)
+
+
+def _range(theta, v, g, k):
+    """The range to the working precision; k > 0."""
+    return v * mp.cos(theta) * (1 - mp.exp(-_impact(k * v * mp.sin(theta) / g))) / k
+
+
+_STEP = mpf(2) ** -60  # relative; the error of a central difference goes with its square
+
+
+@_precise
+def range_slope_theta(theta, v, g, k=0):
+    """The slope by a central difference, and the larger of its two terms."""
+    theta, v, g, k = map(mpf, (theta, v, g, k))
+    if k == 0 or theta == 0:
+        unit = 2 * v**2 / g
+        return unit * mp.cos(2 * theta), unit * max(mp.cos(theta) ** 2, mp.sin(theta) ** 2)
+    with mp.workprec(_spare(*[k * v * mp.sin(theta) / g] * 5)):
+        h = theta * _STEP
+        slope = (_range(theta + h, v, g, k) - _range(theta - h, v, g, k)) / (2 * h)
+        given = _range(theta, v, g, k) * mp.tan(theta)
+        return slope, max(given, slope + given)
+
+
+@_precise
+def range_slope_k(theta, v, g, k=0):
+    theta, v, g, k = map(mpf, (theta, v, g, k))
+    if k == 0:
+        return -8 * v**3 * mp.sin(theta) ** 2 * mp.cos(theta) / (3 * g**2)
+    with mp.workprec(_spare(*[k * v * mp.sin(theta) / g] * 6)):
+        h = k * _STEP
+        return (_range(theta, v, g, k + h) - _range(theta, v, g, k - h)) / (2 * h)
+
+
+@_precise
+def max_range(v, g, k=0):
+    v, g, k = map(mpf, (v, g, k))
+    return horizontal_range(best_angle(k * v / g), v, g, k)
+
+
 def ulps(value, exact, scale=None, bits=53):
     """Error of a float in units in the last place of the exact value, or of another one; None stands for no value."""
     if exact is None:

@@ -21,6 +21,16 @@ def _range(b):
     return (1 - mp.exp(-2 * b * _flight(b))) / (2 * b)
 
 
+def _balance(b):
+    w = mp.lambertw(-(1 + b) * mp.exp(-1 - b)).real
+    return -b * w / ((1 + b) * (1 + w))
+
+
+def _largest(a):
+    s = 1 + mp.lambertw((a**2 - 1) / mp.e).real
+    return mp.sqrt(1 - (1 + s) * mp.exp(-s)) / a
+
+
 def _best(a):
     if a == 1:
         return 1 / (mp.e - 1)
@@ -34,6 +44,9 @@ CLOSED = {
     "descent_factor": _descent,
     "flight_factor": _flight,
     "range_factor": _range,
+    "range_balance": _balance,
+    "range_loss": lambda b: _range(b) * (1 - _balance(b)) / b,
+    "max_range_factor": _largest,
     "best_sine": _best,
     "best_angle": lambda a: mp.asin(_best(a)),
     "w0_offset": lambda x: 1 + mp.lambertw(-mp.exp(-1 - x)).real,
@@ -48,7 +61,7 @@ def test_value(name, size):
     with mp.workdps(40):
         x = -mpf(size) if name.startswith("phi") else mpf(size)
         value = mp_value(name, x)
-        spare = 7 * abs(int(mp.log10(abs(x)))) if abs(x) < 1 else 0
+        spare = (7 if abs(x) < 1 else 1) * abs(int(mp.log10(abs(x))))
         with mp.workdps(80 + spare):
             exact = CLOSED[name](x)
         assert abs(value / exact - 1) < mpf(10) ** -38

@@ -11,8 +11,11 @@ from sympy import Eq
 from galileo_sym import graph
 from galileo_sym.ledger import ONE, POSITIVE, Chapter, Domain, Ledger, Notation
 
-# Mathematics proved from no premise: double angles, the moves of result (3), power series, the primitives at 0.
-IDENTITIES = ("chord.eq7", "chord.eq8", "projectile.res3.step1", "projectile.thm1.factor", "stable.at-zero.")
+# Mathematics proved from no premise: double angles, moves of result (3), power series, the primitives (at 0, a slope).
+IDENTITIES = (
+    *("chord.eq7", "chord.eq8", "projectile.res3.step1", "projectile.thm1.factor"),
+    *("stable.at-zero.", "stable.range_loss"),
+)
 BOX = "{http://www.w3.org/2000/svg}rect"
 
 

@@ -37,7 +37,7 @@ typedef struct {
 
 /* A piecewise polynomial, and the leading terms 2^shift x^power (1 + correction x^-order) beyond x_max. */
 typedef struct {
-    const double (*rows)[GS_ROW]; /* centre, c0, its rest, c1, c2, ... */
+    const double (*rows)[GS_ROW]; /* centre, c0, its rest, c1, its rest, c2, ... */
     int count;
     double x_max;
     int power, shift;
@@ -46,19 +46,25 @@ typedef struct {
 } gs_table;
 
 extern const gs_table gs_phi1m_table, gs_phi2m_table, gs_descent_factor_table, gs_flight_factor_table,
-    gs_range_factor_table, gs_best_angle_table, gs_wright_omega_table, gs_log1p_table, gs_principal_table,
-    gs_w0_offset_table, gs_wm1_offset_table;
+    gs_range_factor_table, gs_range_loss_table, gs_grown_balance_table, gs_best_angle_table,
+    gs_max_range_factor_table, gs_acot_table, gs_phi0m_table, gs_wright_omega_table, gs_log1p_table,
+    gs_principal_table, gs_w0_offset_table, gs_wm1_offset_table;
 extern const double gs_sinc[GS_SERIES_TERMS][3], gs_cosm1[GS_SERIES_TERMS][3];
 extern const double gs_sine_table[][3], gs_cosine_table[][3];
 extern const double gs_half_pi[4], gs_log_2[3], gs_e[2], gs_inverse_e[3];
 extern const double gs_atanh[GS_ATANH_TERMS][2], gs_growth[GS_GROWTH_TERMS][2];
 
+gs_scaled gs_phi0m(gs_scaled z);
 gs_scaled gs_phi1m(gs_scaled z);
 gs_scaled gs_phi2m(gs_scaled z);
 gs_scaled gs_descent_factor(gs_scaled p);
 gs_scaled gs_flight_factor(gs_scaled b);
 gs_scaled gs_range_factor(gs_scaled b);
+gs_scaled gs_range_balance(gs_scaled b);
+gs_scaled gs_range_loss(gs_scaled b);
 gs_scaled gs_best_elevation(gs_scaled a);
+gs_scaled gs_max_range_factor(gs_scaled a);
+gs_scaled gs_acot(gs_scaled x);
 gs_direction gs_angle(double theta);
 gs_scaled gs_driving(gs_direction a, gs_scaled mu);
 

@@ -10,7 +10,7 @@ import numpy as np
 
 ZERO_EXPONENT = -(2**24)  # of 0: below that of any number, so that sums align on the other operand
 INFINITE_EXPONENT = 2**20  # stands for an infinite argument: a result keeps it, or cancels it, as its limit does
-_LIMIT = 2**18
+LIMIT = 2**18  # exponents of results beyond it stand for infinity or 0
 _SPLITTER = 134217729.0  # 2**27 + 1
 
 
@@ -146,7 +146,7 @@ def _round_subnormal(hi, lo, e):
 def store(a):
     """Return the nearest double, with the flags of one rounding; limits at infinite arguments come without a flag."""
     hi, lo, e = np.broadcast_arrays(a.hi, a.lo, a.e)
-    beyond = np.abs(e) > _LIMIT
+    beyond = np.abs(e) > LIMIT
     limit = np.copysign(np.where(e > 0, np.inf, 0.0), hi)
     result = np.where(beyond, limit, np.ldexp(np.where(beyond, 0.0, hi), np.where(beyond, 0, e)))
     subnormal = (np.abs(result) <= 2.0**-1022) & (hi != 0.0) & ~beyond
