@@ -18,6 +18,7 @@ sys.path.append(str(ROOT / "tools"))
 from exhaustive import certain, emitted, hard_cases, libraries, results, run, same_bits, sweep, wc_files  # noqa: E402
 
 INPUTS = 1 << 32
+NOT_TRIED_YET = {"best_angle", "max_range_factor"}  # at all inputs; their hard cases and others are
 REFERENCE_ERROR = Fraction(1, 2**64)  # as in reference.h
 BRANCH = 0.36787944117144233  # 1/e
 
@@ -113,7 +114,12 @@ def weakened(folder, file, pattern, becomes):
     return folder
 
 
-@pytest.mark.parametrize("name", results.kept()["exhaustive"])
+def test_what_is_not_tried_yet_is_known():
+    """To be taken from the list once there is a result."""
+    assert {name for name in KERNELS if name not in results.kept()["exhaustive"]} == NOT_TRIED_YET
+
+
+@pytest.mark.parametrize("name", [name for name in KERNELS if name not in NOT_TRIED_YET])
 def test_the_committed_run_is_of_the_present_code(name):
     """All inputs, none at fault."""
     assert not results.stale(name), f"the result for {name} is of other code: run `make exhaustive`"
@@ -123,7 +129,7 @@ def test_the_committed_run_is_of_the_present_code(name):
     assert row["right"] + row["by_arb"] + row["refused"] == INPUTS
 
 
-@pytest.mark.parametrize("name", results.kept()["same_bits"])
+@pytest.mark.parametrize("name", KERNELS)
 def test_the_committed_comparison_is_of_the_present_code(name):
     """At least 10^8 inputs, in more than one version, none differing."""
     assert not results.stale(name, "same_bits"), f"the comparison of {name} is of other code: run `make same-bits`"

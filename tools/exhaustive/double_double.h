@@ -1,7 +1,7 @@
 /* Sums of two doubles, hi + lo, |lo| <= ulp(hi)/2. Each operation errs by at most 2^-102 of its result, where no part
  * underflows (Joldes, Muller, Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
- * ACM Trans. Math. Softw. 44, 2017, give 3 to 10 times 2^-106); sums are of terms that do not cancel. Compile without
- * contraction of a*b + c.
+ * ACM Trans. Math. Softw. 44, 2017, give 3 to 10 times 2^-106), or, in a sum whose terms cancel, of the larger term.
+ * Compile without contraction of a*b + c.
  */
 #ifndef DOUBLE_DOUBLE_H
 #define DOUBLE_DOUBLE_H

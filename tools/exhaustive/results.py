@@ -106,7 +106,7 @@ def _exhaustive_row(name, row):
 def page(result):
     """Return the page as text."""
     heads = ["primitive", "inputs", "right by the reference", "right by Arb", "NaN, as due", *FAULTS]
-    heads += ["nearest midpoint, by the reference", "time on one core", "date", "sources"]
+    heads += ["nearest midpoint, by the reference", "elapsed on one busy core", "date", "sources"]
     lines = [INTRODUCTION, *_table(heads, [_exhaustive_row(n, r) for n, r in result["exhaustive"].items()]), ""]
     lines += ["## The same bits", "", SAME_BITS, ""]
     heads = ["primitive", "inputs in binary64", "in binary32", "versions", "other bits", "time", "date", "sources"]
