@@ -42,11 +42,13 @@ hard-cases: install ## look for inputs worse than those in tests/data; another S
 coverage: install ## hold docs/coverage.md against a run of every derivation
 	$(BIN)/python tools/coverage_page.py
 
-prove: install ## prove the error bounds of the primitives from the emitted C, and write them down
+prove: install ## prove the error bounds of primitives and tables from the emitted C, and write them down
 	$(BIN)/python -m galileo_sym.verify.proof
+	$(BIN)/python -m galileo_sym.verify.proof.scaled_command
 
 prove-check: install ## refuse proved bounds that are of another C
 	$(BIN)/python -m galileo_sym.verify.proof --check
+	$(BIN)/python -m galileo_sym.verify.proof.scaled_command --check
 
 lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .

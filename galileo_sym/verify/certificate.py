@@ -12,7 +12,7 @@ from .strata import strata_names
 from .ulp import rounded_up
 
 REMEDY = "run `galileo-sym verify --update` and review what changes"
-PROOFS = "proofs.json"  # written by `make prove`, in the same folder
+PROOFS = {"proofs.json", "tables.json"}  # written by `make prove`, in the same folder
 _ENTRY_KEYS = ("bound", "measured", "output", "worst", "points", "back_ends")
 
 
@@ -150,7 +150,7 @@ def read(folder, full_name):
 def stale(folder):
     """Names of certificate files that belong to no function; but for the proved bounds."""
     names = {path.name for path in Path(folder).glob("*.json") if path.stem not in FUNCTIONS}
-    return sorted(names - {PROOFS})
+    return sorted(names - PROOFS)
 
 
 def write(folder, certificates):

@@ -103,8 +103,8 @@ def _part_over_x(equation, piece):
     return relative, arb(0), largest * exact(piece.upper)
 
 
-def _piece_bound(equation, piece):
-    if equation.over_x and not piece.lower:
+def piece_bound(equation, piece):
+    if equation.over_x and piece.lower <= 0:
         relative, smallest, largest = _part_over_x(equation, piece)
     else:
         relative, smallest, largest = _part(equation, piece.lower, piece.upper, piece)
@@ -142,7 +142,7 @@ def piece_bounds(name, polynomials):
     with precision():
         for piece in polynomials:
             try:
-                found.append(_piece_bound(EQUATIONS[name], piece))
+                found.append(piece_bound(EQUATIONS[name], piece))
             except (Unproved, NotAnalytic) as cause:
                 raise Unproved(f"{name}, piece {piece.index}: {cause}") from cause
     return found

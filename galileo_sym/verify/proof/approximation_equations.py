@@ -114,7 +114,7 @@ def _max_range_factor(x, f):
     return square * phi1_slope(-s) - f * f, f * f * (2 - (1 - x * x) * exp(-s))
 
 
-def _offset_root(v, sign):
+def offset_root(v, sign):
     """Return sqrt(2 (1 + (v - 1) exp(v))) with a sign, and its derivative: it rises with v through 0."""
     root = sqrt(2 * phi1_slope(v))
     return sign * v * root, exp(v) / root
@@ -125,13 +125,13 @@ def _w0_ratio(x, f):
 
     v < 0, the other branch, would make x < 0.
     """
-    root, slope = _offset_root(1 - log(f), 1)
+    root, slope = offset_root(1 - log(f), 1)
     return root - (2 * arb(1).exp()).sqrt() * x, slope
 
 
 def _wm1_branch(x, f):
     """f = -W with X = x^2 - 1/e, v = 1 - f: as for the ratio of the other branch, with x for -x."""
-    root, slope = _offset_root(1 - f, -1)
+    root, slope = offset_root(1 - f, -1)
     return root - (2 * arb(1).exp()).sqrt() * x, f * slope
 
 

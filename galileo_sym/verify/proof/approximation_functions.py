@@ -97,6 +97,11 @@ def sin(w):
     return w.entire(acb.sin) if isinstance(w, Disc) else w.sin()
 
 
+def cosh(w):
+    """Hyperbolic cosine of a series or disc."""
+    return w.entire(acb.cosh) if isinstance(w, Disc) else w.cosh()
+
+
 def cos(w):
     """Cosine of a series or disc."""
     return w.entire(acb.cos) if isinstance(w, Disc) else w.cos()

@@ -173,7 +173,18 @@ class Replay:
             self._stop("gs_rest of what is not the rounded sum of its operands")
         largest, least = self.symbols.largest(b.rounded), self.symbols.least(a.rounded)
         if self.symbols.largest(a.rounded) and least < largest:
-            self._stop(f"gs_rest needs abs a >= abs b: {float(least):.6g} and {float(largest):.6g}")
+            return self.unordered_rest(a, b, s, f"{float(least):.6g} and {float(largest):.6g}")
+        exact = a.rounded + b.rounded - s.rounded
+        return Value(exact, exact, _common(a.step, b.step) or SMALLEST)
+
+    def unordered_rest(self, _a, _b, _s, sizes):
+        """What gs_rest is where its condition fails: not proved."""
+        self._stop(f"gs_rest needs abs a >= abs b: {sizes}")
+
+    def sum_rest(self, a, b, s):
+        """The exact rest of s = RN(a + b), whichever is larger: Knuth's two-sum."""
+        if s.origin not in (("gs_add", a, b), ("gs_add", b, a)):
+            self._stop("gs_sum_rest of what is not the rounded sum of its operands")
         exact = a.rounded + b.rounded - s.rounded
         return Value(exact, exact, _common(a.step, b.step) or SMALLEST)
 
@@ -198,5 +209,6 @@ _OPERATIONS = {
     "gs_fnma": Replay.fnma,
     "gs_min": Replay.min,
     "gs_rest": Replay.rest,
+    "gs_sum_rest": Replay.sum_rest,
     "gs_product_rest": Replay.product_rest,
 }

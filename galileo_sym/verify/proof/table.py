@@ -48,7 +48,7 @@ def _ratio(value, context):
     return context.divide(Decimal(value.numerator), Decimal(value.denominator))
 
 
-def _relative(value):
+def relative(value):
     """Return a rational rounded up to three digits."""
     return float(_ratio(value, _RELATIVE))
 
@@ -77,10 +77,10 @@ def entry(rows):
             "piece": row.piece,
             "from": float(row.lower).hex(),
             "to": float(row.upper).hex(),
-            "approximation": _relative(row.approximation),
+            "approximation": relative(row.approximation),
             "rounding": _ulps(row.rounding),
             "total": _ulps(row.total),
-            "pair": _relative(row.pair),
+            "pair": relative(row.pair),
         }
         for row in rows
     ]
