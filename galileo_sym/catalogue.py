@@ -21,7 +21,7 @@ class Argument:
 
 
 WITHIN_1 = "within 1 ulp at every point sampled (claimed bound: 1 ulp; generated/certificates)"
-MEASURED = "within 1 ulp at every point sampled (claimed bound: 4 ulp; generated/certificates)"
+MEASURED = "within 1 ulp at every point sampled (claimed bound: 1 ulp; generated/certificates)"
 
 CERTIFIED = "within 0.51 ulp at every point sampled (claimed bound: 1 ulp; generated/certificates)"
 

@@ -7,7 +7,7 @@ CHORD_FORCES = {"free": (), "friction": ("mu",), "drag": ("gamma",), "friction_d
 PROJECTILE_FORCES = {"free": (), "drag": ("k",)}
 ONE_LAW = {"all": ()}  # functions that have a single kernel, whose C name carries no suffix
 
-CLAIMED_BOUND = 4.0
+CLAIMED_BOUND = 1.0
 
 _POSITIVE = ("diameter", "g", "v")
 _RIGHT_ANGLE = math.pi / 2
@@ -73,8 +73,8 @@ class Function:
 _TABLE = (
     Function("chord", "descent_time", ("theta",), ("diameter", "g"), CHORD_FORCES, ("time",)),
     Function("chord", "distance", ("t", "theta"), ("g",), CHORD_FORCES, ("distance",)),
-    Function("chord", "speed", ("t", "theta"), ("g",), CHORD_FORCES, ("speed",), bound=1.0),
-    Function("chord", "max_angle", ("mu",), (), ONE_LAW, ("angle",), bound=1.0),
+    Function("chord", "speed", ("t", "theta"), ("g",), CHORD_FORCES, ("speed",)),
+    Function("chord", "max_angle", ("mu",), (), ONE_LAW, ("angle",)),
     Function("chord", "position", ("t", "theta"), ("g",), CHORD_FORCES, ("x", "y")),
     Function("chord", "synchronous_circle", ("t",), ("g",), CHORD_FORCES, ("X", "Y", "R")),
     Function("projectile", "flight_time", ("theta",), ("v", "g"), PROJECTILE_FORCES, ("time",)),
@@ -95,7 +95,6 @@ _TABLE = (
         ("v", "g"),
         PROJECTILE_FORCES,
         ("vx", "vy"),
-        bound=1.0,
         unit={"vy": "ulp of the larger of its two terms"},
     ),
     Function(
@@ -105,11 +104,10 @@ _TABLE = (
         ("v", "g"),
         PROJECTILE_FORCES,
         ("slope",),
-        bound=1.0,
         unit={"slope": "ulp of the larger of its two terms"},
     ),
-    Function("projectile", "range_slope_k", ("theta",), ("v", "g"), PROJECTILE_FORCES, ("slope",), bound=1.0),
-    Function("projectile", "max_range", (), ("v", "g"), PROJECTILE_FORCES, ("range",), bound=1.0),
+    Function("projectile", "range_slope_k", ("theta",), ("v", "g"), PROJECTILE_FORCES, ("slope",)),
+    Function("projectile", "max_range", (), ("v", "g"), PROJECTILE_FORCES, ("range",)),
     Function("projectile", "best_angle", ("alpha",), (), ONE_LAW, ("angle",)),
     Function("lambert", "w0", ("x",), (), ONE_LAW, ("w",), 1.0, ranges={"x": (_ABOVE_BRANCH_POINT, math.inf)}),
     Function("lambert", "wm1", ("x",), (), ONE_LAW, ("w",), 1.0, ranges={"x": (_ABOVE_BRANCH_POINT, -math.ulp(0.0))}),
