@@ -35,7 +35,7 @@ def value(expr, point, digits):
         return +mp.mpmathify(function(*(_number(point[s], digits) for s in symbols)))
 
 
-@functools.lru_cache(maxsize=4096)
+@functools.lru_cache(maxsize=4096, typed=True)  # 1 and the complex 1 are equal, and not the same number
 def _number(exact, digits):
     if isinstance(exact, mpmath.mpf | mpmath.mpc):
         return exact

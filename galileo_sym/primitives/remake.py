@@ -8,22 +8,27 @@ import argparse
 import sys
 
 from galileo_sym.files import write_whole
-from galileo_sym.primitives.approximations import APPROXIMATIONS, fit, path_of, to_text
+from galileo_sym.primitives import approximations, tables
+
+# how each is fitted, written, and where; those of the scaled layer by "scaled/" and their name
+MADE = {name: (approximations.fit, name, approximations) for name in approximations.APPROXIMATIONS}
+MADE |= {f"scaled/{name}": (tables.fitted, name, tables) for name in tables.TABLES}
 
 
 def main(arguments=None):
-    """Remake, or check, the files of the approximations named, or of all."""
+    """Remake, or check, the files of the approximations and tables named, or of all."""
     parser = argparse.ArgumentParser(prog="python -m galileo_sym.primitives.remake", description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="an approximation; all by default")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="an approximation or table; all by default")
     parser.add_argument("--check", action="store_true", help="write nothing, say what differs")
     options = parser.parse_args(arguments)
-    unknown = sorted(set(options.names) - set(APPROXIMATIONS))
+    unknown = sorted(set(options.names) - set(MADE))
     if unknown:
-        parser.error(f"no approximation {', '.join(unknown)}; there are {', '.join(APPROXIMATIONS)}")
+        parser.error(f"no approximation {', '.join(unknown)}; there are {', '.join(MADE)}")
     differs = 0
-    for name in options.names or APPROXIMATIONS:
-        pieces = fit(name)
-        text, path = to_text(name, pieces), path_of(name)
+    for name in options.names or MADE:
+        fit, own, module = MADE[name]
+        pieces = fit(own)
+        text, path = module.to_text(own, pieces), module.path_of(own)
         same = path.is_file() and path.read_text(encoding="utf-8") == text
         differs += not same
         if not same and not options.check:

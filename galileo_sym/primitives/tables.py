@@ -2,14 +2,16 @@
 
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 
 from mpmath import mp, mpf
 
-from galileo_sym.primitives.fit import fit, pieces_up_to
+from galileo_sym.primitives.fit import PER_BINADE, Piece, fit, pieces_up_to
 from galileo_sym.primitives.multiprecision import mp_value
 
 DEGREE = 11
 TOLERANCE = 2.0**-60
+_FOLDER = Path(__file__).parent / "coefficients" / "scaled"
 
 
 @dataclass(frozen=True)
@@ -126,17 +128,41 @@ def split(value, parts):
     return tuple(result)
 
 
+def fitted(name):
+    """Return the pieces of a table, fitted now."""
+    table = TABLES[name]
+    return fit(table.value, table.x_max, DEGREE, TOLERANCE)
+
+
+def path_of(name):
+    """Return where the committed coefficients of a table are."""
+    return _FOLDER / f"{name}.txt"
+
+
+def to_text(name, fitted_pieces):
+    """Return the committed form: one line a piece, in hexadecimal, so that nothing is rounded on the way."""
+    head = [
+        f"# {name}: {TABLES[name].doc}",
+        f"# made by `python -m galileo_sym.primitives.remake scaled/{name}`; {PER_BINADE} pieces a binade of 1 + x,"
+        f" degree {DEGREE}",
+        "# a line a piece: centre, c0, its rest, c1, its rest, c2, c3, ...",
+    ]
+    rows = [" ".join(v.hex() for v in (piece.centre, *piece.coefficients)) for piece in fitted_pieces]
+    return "\n".join([*head, *rows]) + "\n"
+
+
 @cache
 def pieces(name):
-    """Return the fitted pieces of a table; computed once in a process.
+    """Return the committed pieces of a table; their ``error`` is not kept, and 0.
 
     Raises
     ------
-    KeyError
-        If there is no table of that name.
+    FileNotFoundError
+        If they were never made: run ``python -m galileo_sym.primitives.remake``.
     """
-    table = TABLES[name]
-    return fit(table.value, table.x_max, DEGREE, TOLERANCE)
+    lines = path_of(name).read_text(encoding="utf-8").splitlines()
+    rows = [[float.fromhex(v) for v in line.split()] for line in lines if not line.startswith("#")]
+    return tuple(Piece(row[0], tuple(row[1:]), 0.0) for row in rows)
 
 
 @cache

@@ -56,8 +56,8 @@ def test_banks_follow_one_another():
         assert kernel.end == ends[-1]
 
 
-# one that starts at 0 and one that does not; `make tables` remakes all
-@pytest.mark.parametrize("name", ["descent_factor", "flight_tail"])
+# one that starts at 0, one that does not, one of the scaled layer; `make tables` remakes all
+@pytest.mark.parametrize("name", ["descent_factor", "flight_tail", "scaled/descent_factor"])
 def test_the_coefficients_are_made_again_to_the_byte(name, capsys):
     """The committed files are what the fit gives."""
     assert remake.main(["--check", name]) == 0
@@ -70,7 +70,7 @@ def test_a_wrong_coefficient_is_told(monkeypatch, tmp_path, capsys):
     changed = tmp_path / "flight_tail.txt"
     changed.write_text(text[:-8] + ("0" if text[-8] != "0" else "1") + text[-7:], encoding="utf-8")
     before = changed.read_bytes()
-    monkeypatch.setattr(remake, "path_of", lambda name: changed)
+    monkeypatch.setattr(approximations, "path_of", lambda name: changed)
     assert remake.main(["--check", "flight_tail"]) == 1
     assert "flight_tail: differs" in capsys.readouterr().out
     assert changed.read_bytes() == before
