@@ -1,6 +1,10 @@
 """Roots of a t + b + c exp(d t): decided exactly beside the double root, and accurate there, too."""
 
+import shutil
+import subprocess
+import sys
 from fractions import Fraction
+from pathlib import Path
 
 import compiled
 import numpy as np
@@ -88,3 +92,38 @@ def test_exponential_and_logarithm_are_good_to_a_pair(name, bits):
         for i in range(200):
             exact = getattr(mp, {"exponential": "exp", "logarithm": "log"}[name])(mpf(float(x[i])))
             assert abs(_value(result, i) - exact) <= abs(exact) * mpf(2) ** -bits
+
+
+_ALONE = """
+import ctypes, sys
+import numpy as np
+library, target = ctypes.CDLL(sys.argv[1]), sys.argv[2]
+columns = [np.ascontiguousarray(x) for x in np.load(target)]
+results = [np.empty_like(columns[0]) for _ in range(2)]
+pointers = [ctypes.c_void_p(x.ctypes.data) for x in [*columns, *results]]
+library.gs_lambert_linear_exponential_roots_n(ctypes.c_size_t(columns[0].size), *pointers)
+np.save(target, results)
+"""
+
+
+@pytest.mark.parametrize("march", ["x86-64-v3", "x86-64-v4"])
+def test_bits_of_code_compiled_for_larger_machines(tmp_path, march):
+    """gcc 12 once made an endless loop of the integers beside a double root, with -O3 and AVX-512."""
+    needed = {"x86-64-v3": "avx2", "x86-64-v4": "avx512vl"}[march]
+    try:
+        flags = Path("/proc/cpuinfo").read_text(encoding="utf-8").split()
+    except OSError:
+        flags = []
+    gcc = shutil.which("gcc")
+    if needed not in flags or gcc is None:
+        pytest.skip(f"no gcc, or this machine has no {needed}: code for {march} is not run")
+    library, target = tmp_path / "libroots.so", tmp_path / "roots.npy"
+    sources = sorted(path for path in compiled.SOURCES.glob("*.c") if not path.name.startswith("special"))
+    command = [gcc, *compiled.FLAGS, "-O3", f"-march={march}", "-shared", *map(str, sources), "-o", str(library), "-lm"]
+    subprocess.run(command, check=True)
+    i, j = (x.ravel().astype(float) for x in np.mgrid[-6:7, -6:7])
+    columns = [np.ones(i.size), 1 + i * 2.0**-52, -1 - j * 2.0**-52, np.ones(i.size)]
+    np.save(target, columns)
+    subprocess.run([sys.executable, "-c", _ALONE, str(library), str(target)], check=True, timeout=60)
+    expected = compiled.call(ROOTS, columns, 2)
+    assert np.load(target).tobytes() == np.array(expected).tobytes()

@@ -13,6 +13,12 @@
 #define GS_BITS (32 * GS_FRACTION)
 #define GS_DIGITS 53
 
+#ifdef __GNUC__
+#define GS_APART __attribute__((noinline)) /* inlined, gcc 12 -O3 -march=x86-64-v4 makes an endless loop of it */
+#else
+#define GS_APART
+#endif
+
 typedef struct {
     uint32_t limb[GS_LIMBS];
 } gs_wide;
@@ -80,7 +86,7 @@ static gs_wide gs_wide_times(gs_wide a, uint32_t m)
 }
 
 /* a/m for a small m, rounded down. */
-static gs_wide gs_wide_part(gs_wide a, uint32_t m)
+static GS_APART gs_wide gs_wide_part(gs_wide a, uint32_t m)
 {
     uint64_t rest = 0;
     for (int i = GS_LIMBS - 1; i >= 0; i--) {
