@@ -59,6 +59,14 @@ def _widen(array, is_angle):
     return wide
 
 
+def _widen_to_most(arrays, wide, ceiling, forces):
+    """The float32 next to the largest value of an argument counts as that."""
+    index, kernels = ceiling
+    with np.errstate(all="ignore"):
+        most = kernels[forces](*wide[:index], *wide[index + 1 :])
+        wide[index] = np.where(arrays[index] == most.astype(_SINGLE), most, wide[index])
+
+
 def _targets(out, count, dtype, casting):
     """Return the output arrays as a tuple, None for each one to be made."""
     if out is None:
@@ -98,7 +106,8 @@ def serve(row, arguments, forces, out=None, where=True, casting="same_kind", dty
     ----------
     row : dict
         The function's row of ``FUNCTIONS`` in its generated module: ``outputs``, ``angle`` (an index), ``kernels``;
-        ``rest``, if the kernels return the only output with its rest, so that float32 results are rounded once.
+        ``ceiling``, if an argument has a largest value: its index and the kernels of that value; ``rest``, if the
+        kernels return the only output with its rest, so that float32 results are rounded once.
     arguments : tuple of array_like
         All arguments but the forces, in order.
     forces : dict of str to array_like
@@ -127,8 +136,11 @@ def serve(row, arguments, forces, out=None, where=True, casting="same_kind", dty
     arrays = [np.asarray(operand, dtype=dtype) for operand in operands]
     count = len(arguments)
     present = [(name, a) for name, a in zip(forces, arrays[count:], strict=True) if a.ndim or a != 0]
-    kernel = row["kernels"][tuple(name for name, _ in present)]
+    acting = tuple(name for name, _ in present)
+    kernel = row["kernels"][acting]
     wide = [_widen(a, i == row["angle"]) for i, a in enumerate([*arrays[:count], *(a for _, a in present)])]
+    if dtype == _SINGLE and "ceiling" in row:
+        _widen_to_most(arrays, wide, row["ceiling"], acting)
     if where is True:
         results, mask = _as_tuple(kernel(*wide)), True
     else:

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from ._scaled import Scaled, store
+from ._scaled import ZERO, Scaled, select, store
 from ._tables import HALF_PI, INVERSE_E
 
 # Test of the domain, and a harmless member of it that stands in for whatever fails the test.
@@ -48,6 +48,29 @@ def admit(*arguments):
     if np.any(void & ~missing):
         raise_invalid()
     return [np.where(void, DOMAINS[domain][1], x) for x, (_, domain) in zip(arrays, arguments, strict=True)], void
+
+
+def within(value, most, void):
+    """Lanes where an argument is infinite or above the most that has a result turn void and raise 'invalid'.
+
+    Also returns the mask of the lanes where it is that most, and not 0.
+    """
+    with quiet():
+        most = store(most)
+    beyond = ~void & ((value > most) | np.isinf(value))
+    if np.any(beyond):
+        raise_invalid()
+    return void | beyond, (value == most) & (value != 0.0) & ~beyond
+
+
+def at_most(full, there, number):
+    """The number there in the lanes where an argument is the most that has a result."""
+    return select(full, there, number)
+
+
+def idle(mask, number):
+    """0 in place of a number where no result is computed from it."""
+    return select(mask, ZERO, number)
 
 
 def moving(driving):

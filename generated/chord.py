@@ -743,7 +743,8 @@ def max_angle(mu):
     return settle(angle, void)
 
 
-# Number of outputs, index of the angle among the arguments, and the kernel for each set of force arguments.
+# Number of outputs, index of the angle among the arguments, the kernel for each set of force arguments;
+# if an argument has a largest value, its index and the kernels of that value.
 FUNCTIONS = {
     "descent_time": {
         "outputs": 1,

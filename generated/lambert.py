@@ -50,7 +50,8 @@ def linear_exponential_roots(a, b, c, d):
     return _roots.linear_exponential_roots(a, b, c, d)
 
 
-# Number of outputs, index of the angle among the arguments, and the kernel for each set of force arguments.
+# Number of outputs, index of the angle among the arguments, the kernel for each set of force arguments;
+# if an argument has a largest value, its index and the kernels of that value.
 FUNCTIONS = {
     "w0": {
         "outputs": 1,

@@ -2,9 +2,12 @@
 """Kernels of the projectile formulas on float64 arrays."""
 
 from ._angle import angle, cosine, sine
-from ._kernel import admit, clash, quiet, settle
+from ._decay import decay, fading, first, second
+from ._elevation import arctangent, right_angle
+from ._kernel import admit, at_most, clash, idle, quiet, settle, within
+from ._launch import Balance, launch
 from ._primitives import best_elevation, flight_factor, max_range_factor, phi0m, phi1m, phi2m, range_balance, range_factor, range_loss
-from ._scaled import constant, div, load, mul, scale, sub
+from ._scaled import add, constant, div, load, mul, scale, sqrt, sub
 
 
 def flight_time_free(theta, v, g):
@@ -489,6 +492,113 @@ def max_range_drag(v, g, k):
     return settle(range, void, undecided_range)
 
 
+def launch_angles_free(r, v, g):
+    """Both elevations that reach a range; where it is the largest one, the best angle twice.
+
+    r [m]: range, at most the largest one
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+
+    Returns
+    low [rad]: elevation of the low shot
+    high [rad]: elevation of the high shot
+
+    From stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+    Operations: 4 add, 1 arctangent, 3 div, 4 mul, 1 sqrt, 1 table.
+    """
+    arguments, void = admit(
+        (r, "nonnegative"),
+        (v, "positive"),
+        (g, "positive"),
+    )
+    r, v, g = arguments
+    undecided_low = clash(((v,), (g,)))
+    r_in = r
+    with quiet():
+        r = load(r)
+        v = load(v)
+        g = load(g)
+        rho = div(mul(r, g), mul(v, v))
+        most = div(mul(v, v), g)
+    void, full = within(r_in, most, void)
+    with quiet():
+        there = best_elevation(constant(0.0))
+        rho = idle(void | full, rho)
+        turn = arctangent(div(rho, add(constant(1.0), sqrt(mul(sub(constant(1.0), rho), add(constant(1.0), rho))))))
+        low = at_most(full, there, turn)
+        high = at_most(full, there, sub(right_angle(), turn))
+    return (
+        settle(low, void, undecided_low),
+        settle(high, void, undecided_low),
+    )
+
+
+def launch_angles_drag_balance(z, alpha):
+    """The square, slope, bend, rise, lean of the equation that is solved.
+
+    Operations: 6 add, 1 decay, 2 div, 13 mul.
+    """
+    Z = mul(z, z)
+    s = mul(z, alpha)
+    d = decay(s)
+    phi1 = first(d)
+    phi2 = second(d)
+    fall = mul(Z, phi2)
+    fade = fading(d)
+    return Balance(
+        square=sub(mul(mul(Z, phi1), phi1), mul(mul(Z, fall), phi2)),
+        slope=mul(sub(fade, fall), phi1),
+        bend=add(add(scale(div(mul(mul(alpha, sub(fade, fall)), sub(phi1, phi2)), z), -1), scale(div(mul(mul(alpha, fade), phi1), z), -1)), scale(mul(phi1, phi1), -1)),
+        rise=fall,
+        lean=scale(phi1, -1),
+    )
+
+
+def launch_angles_drag(r, v, g, k):
+    """Both elevations that reach a range; where it is the largest one, the best angle twice.
+
+    r [m]: range, at most the largest one
+    v [m/s]: launch speed
+    g [m/s^2]: acceleration of gravity
+    k [1/s]: resistance coefficient over mass
+
+    Returns
+    low [rad]: elevation of the low shot
+    high [rad]: elevation of the high shot
+
+    From stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+    Operations: 3 div, 5 mul, 1 solver, 2 table.
+    """
+    arguments, void = admit(
+        (r, "nonnegative"),
+        (v, "positive"),
+        (g, "positive"),
+        (k, "nonnegative"),
+    )
+    r, v, g, k = arguments
+    undecided_low = clash(((v,), (g, k)))
+    r_in = r
+    with quiet():
+        r = load(r)
+        v = load(v)
+        g = load(g)
+        k = load(k)
+        rho = div(mul(r, g), mul(v, v))
+        alpha = div(mul(v, k), g)
+        most = div(mul(mul(v, v), max_range_factor(alpha)), g)
+    void, full = within(r_in, most, void)
+    with quiet():
+        there = best_elevation(alpha)
+        rho = idle(void | full, rho)
+        angles = launch(launch_angles_drag_balance, rho, alpha)
+        low = at_most(full, there, angles.low)
+        high = at_most(full, there, angles.high)
+    return (
+        settle(low, void, undecided_low),
+        settle(high, void, undecided_low),
+    )
+
+
 def best_angle(alpha):
     """Elevation of greatest range, for a given ratio of resistance to weight.
 
@@ -510,7 +620,8 @@ def best_angle(alpha):
     return settle(angle, void)
 
 
-# Number of outputs, index of the angle among the arguments, and the kernel for each set of force arguments.
+# Number of outputs, index of the angle among the arguments, the kernel for each set of force arguments;
+# if an argument has a largest value, its index and the kernels of that value.
 FUNCTIONS = {
     "flight_time": {
         "outputs": 1,
@@ -566,6 +677,21 @@ FUNCTIONS = {
         "kernels": {
             (): max_range_free,
             ('k',): max_range_drag,
+        },
+    },
+    "launch_angles": {
+        "outputs": 2,
+        "angle": None,
+        "ceiling": (
+            0,
+            {
+                (): max_range_free,
+                ('k',): max_range_drag,
+            },
+        ),
+        "kernels": {
+            (): launch_angles_free,
+            ('k',): launch_angles_drag,
         },
     },
     "best_angle": {

@@ -13,6 +13,7 @@ from galileo_sym.ledger.equivalence import is_zero
 from galileo_sym.primitives import (
     best_angle,
     best_sine,
+    best_time,
     descent_factor,
     flight_factor,
     max_range_factor,
@@ -56,6 +57,7 @@ BALANCE = range_balance(b).rewrite(LambertW)
 LOSS = range_loss(b).rewrite(LambertW)
 LARGEST = max_range_factor(a).rewrite(LambertW)
 SINE = best_sine(a).rewrite(LambertW)
+TIME = best_time(a).rewrite(LambertW)
 ANGLE = best_angle(a).rewrite(LambertW)
 W_FLIGHT = -s / (exp(s) - 1)
 RANGE_OF_S = (1 - exp(-s)) / (2 * B_OF_S)
@@ -135,6 +137,15 @@ def best_sine_at_zero(projectile__support__kT_at_max):
     path, one_more = sqrt(told.of(alpha**2)), told.of(s)
     w_in_s = s - one_more.xreplace(dict.fromkeys(one_more.atoms(LambertW), sp.S.Zero))
     return by_parameter(SINE, a, path, w_in_s, told.of(sin(theta_max)).subs(alpha, path))
+
+
+@chapter.derive("stable.at-zero.best_time", limits_at_zero(TIME, a, sqrt(2), -Rational(2, 3)), Domain({s: POSITIVE}))
+def best_time_at_zero(projectile__support__kT_at_max):
+    """W and alpha at the best angle are known along s, the impact time times k."""
+    told = projectile__support__kT_at_max
+    path, one_more = sqrt(told.of(alpha**2)), told.of(s)
+    w_in_s = s - one_more.xreplace(dict.fromkeys(one_more.atoms(LambertW), sp.S.Zero))
+    return by_parameter(TIME, a, path, w_in_s, s / path)
 
 
 @chapter.derive(

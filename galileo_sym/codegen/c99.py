@@ -1,8 +1,9 @@
 """The C99 back end: one source a paper, and the public header."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import SOLVER_TEXT, call_text, clash_pairs, counts_text, sources_text
-from galileo_sym.codegen.schedule import schedule
+from galileo_sym.codegen.printing import ROUTINE_TEXT, call_text, clash_pairs, counts_text, sources_text
+from galileo_sym.codegen.schedule import balance_name, schedule
+from galileo_sym.solvers import SOLVERS
 
 _DOMAIN_TESTS = {
     "positive": "gs_positive",
@@ -11,6 +12,7 @@ _DOMAIN_TESTS = {
     "elevation": "gs_elevation",
 }
 _ANGLES = ("chord angle", "elevation")
+_TYPES = {"angle": "gs_direction", "decay": "gs_decay_values", "launch": "gs_angles"}
 _AT_REST = {0.0: "0.0", float("inf"): "INFINITY"}
 
 
@@ -77,16 +79,47 @@ def _result(function, force_set, output, node):
     return f"gs_settle({value}, {_any(f'({one} && {other})' for one, other in seen)})"
 
 
-def _solver_kernel(function, force_set):
+def _routine_kernel(function, force_set):
     """A kernel that hands over to a function of the templates."""
     passed = [a.name for a in function.arguments(force_set)]
     passed += [] if _single(function) else [o.name for o in function.outputs]
-    name = f"gs_{function.solver.split('.')[1]}"
+    name = f"gs_{function.routine.split('.')[1]}"
     return (
-        f"/* {sources_text(function, force_set)}.\n * {SOLVER_TEXT} */\n"
+        f"/* {sources_text(function, force_set)}.\n * {ROUTINE_TEXT} */\n"
         f"{_scalar_signature(function, force_set, force_set, 'double')}\n{{\n"
         f"    {'return ' * _single(function)}{name}({', '.join(passed)});\n}}\n"
     )
+
+
+def _assignment(name, node):
+    return f"    const {_TYPES.get(node[0], 'gs_scaled')} {name} = {call_text(node, 'gs_')};"
+
+
+def _balance(name, plan, unknown):
+    """Definition of what a solver evaluates in each of its steps."""
+    parameters = ", ".join(f"gs_scaled {symbol}" for symbol in unknown)
+    values = "".join(f"        {call_text(node, 'gs_')},\n" for node in plan.results)
+    lines = [
+        f"/* The {', '.join(plan.names)} of the equation that is solved.",
+        f" * Operations: {counts_text(plan)}. */",
+        f"static gs_balance {name}({parameters})",
+        "{",
+        *(_assignment(*step) for step in plan.steps),
+        f"    const gs_balance at = {{\n{values}    }};",
+        "    return at;",
+        "}",
+    ]
+    return "\n".join(lines) + "\n\n"
+
+
+def _limit(function, limit):
+    """Lines that return where the argument is beyond its largest value, or at it."""
+    raw = f"{function.ceiling.argument}_in"
+    return [
+        f"    const double most = gs_compared({call_text(limit.most, 'gs_')});",
+        *_guard(function, f"isinf({raw}) || {raw} > most", "gs_invalid()"),
+        *_guard(function, f"{raw} == most && {raw} > 0.0", f"gs_store({call_text(limit.there, 'gs_')})"),
+    ]
 
 
 def kernel(function, force_set):
@@ -98,8 +131,8 @@ def kernel(function, force_set):
     force_set : str
         A key of ``function.variants``.
     """
-    if function.solver:
-        return _solver_kernel(function, force_set)
+    if function.routine:
+        return _routine_kernel(function, force_set)
     plan = schedule(function, force_set)
     arguments = function.arguments(force_set)
     symbols = {a.symbol: a.name for a in arguments}
@@ -118,11 +151,10 @@ def kernel(function, force_set):
         *_guard(function, f"!({inside})", "gs_invalid()"),
         *(f"    const gs_scaled {s} = gs_load({symbols[s]}_in);" for s in plan.loads),
     ]
-    for name, node in plan.steps:
-        if node[0] == "angle":
-            lines.append(f"    const gs_direction {name} = gs_angle({symbols[node[1]]}_in);")
-            continue
-        lines.append(f"    const gs_scaled {name} = {call_text(node, 'gs_')};")
+    for index, (name, node) in enumerate(plan.steps):
+        if plan.limit and index == plan.limit.after:
+            lines += _limit(function, plan.limit)
+        lines.append(_assignment(name, ("angle", f"{symbols[node[1]]}_in") if node[0] == "angle" else node))
         if node[0] == "driving":
             lines += _guard(function, f"{name}.hi <= 0.0", _AT_REST[function.outputs[0].at_rest])
     results = [_result(function, force_set, o, r) for o, r in zip(function.outputs, plan.results, strict=True)]
@@ -130,7 +162,11 @@ def kernel(function, force_set):
         lines.append(f"    return {results[0]};")
     else:
         lines += [f"    *{o.name}_out = {r};" for o, r in zip(function.outputs, results, strict=True)]
-    return "\n".join(lines) + "\n}\n"
+    text = "\n".join(lines) + "\n}\n"
+    if plan.balance:
+        unknown = SOLVERS[function.full_name, force_set].unknown
+        return _balance(balance_name(function, force_set), plan.balance, unknown) + text
+    return text
 
 
 def _forward(function):
@@ -142,10 +178,23 @@ def _forward(function):
     return f"{signature}\n{{\n    {'return ' if _single(function) else ''}{call}\n}}\n"
 
 
+def _widened(function, suffix, argument):
+    """An argument in double; the float next to pi/2 counts as pi/2, that next to the largest value as the largest."""
+    if argument.domain in _ANGLES:
+        return f"gs_widen_angle({argument.name})"
+    ceiling = function.ceiling
+    if ceiling is None or ceiling.argument != argument.name:
+        return f"(double){argument.name}"
+    most = c_name(FUNCTIONS[f"{function.paper}.{ceiling.most}"], suffix)
+    force_set = suffix or _fullest(function)
+    others = ", ".join(f"(double){a.name}" for a in function.arguments(force_set) if a != argument)
+    return f"gs_widen_to({argument.name}, {most}({others}))"
+
+
 def _narrow(function, suffix, force_set):
     """Definition of the binary32 function: computed in double, rounded once."""
     arguments = function.arguments(force_set)
-    passed = ", ".join(f"gs_widen_angle({a.name})" if a.domain in _ANGLES else f"(double){a.name}" for a in arguments)
+    passed = ", ".join(_widened(function, suffix, a) for a in arguments)
     signature = _scalar_signature(function, suffix, force_set, "float")
     if _single(function):
         return f"{signature}\n{{\n    return (float){c_name(function, suffix)}({passed});\n}}\n"

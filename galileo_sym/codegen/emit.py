@@ -20,15 +20,27 @@ KEPT = ("certificates",)  # reviewed and committed by other means, never written
 _NUMPY_TEMPLATES = (
     "_angle.py",
     "_branches.py",
+    "_decay.py",
     "_elementary.py",
+    "_elevation.py",
     "_excess.py",
     "_kernel.py",
+    "_launch.py",
     "_lines.py",
     "_primitives.py",
     "_roots.py",
     "_scaled.py",
 )
-_C_TEMPLATES = ("branches.c", "elementary.c", "excess.c", "primitives.c", "roots.c")
+_C_TEMPLATES = (
+    "branches.c",
+    "decay.c",
+    "elementary.c",
+    "elevation.c",
+    "excess.c",
+    "launch.c",
+    "primitives.c",
+    "roots.c",
+)
 _TEMPLATES = resources.files("galileo_sym.codegen") / "templates"
 
 

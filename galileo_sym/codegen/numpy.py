@@ -1,13 +1,22 @@
 """The NumPy back end: one module a paper, importing NumPy alone."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import SOLVER_TEXT, call_text, clash_pairs, counts_text, sources_text
-from galileo_sym.codegen.schedule import TABLE_CALLS, schedule
+from galileo_sym.codegen.printing import ROUTINE_TEXT, call_text, clash_pairs, counts_text, sources_text
+from galileo_sym.codegen.schedule import TABLE_CALLS, balance_name, schedule
+from galileo_sym.solvers import SOLVERS
 
 _SCALED = ("add", "constant", "div", "load", "mul", "scale", "sqrt", "sub")
 _ANGLE = ("angle", "cosine", "driving", "sine")
-_KERNEL = ("admit", "clash", "moving", "quiet", "settle")
-_MODULES = {"_angle": _ANGLE, "_kernel": _KERNEL, "_primitives": TABLE_CALLS, "_scaled": _SCALED}
+_KERNEL = ("admit", "at_most", "clash", "idle", "moving", "quiet", "settle", "within")
+_MODULES = {
+    "_angle": _ANGLE,
+    "_decay": ("decay", "fading", "first", "second"),
+    "_elevation": ("arctangent", "right_angle"),
+    "_kernel": _KERNEL,
+    "_launch": ("Balance", "launch"),
+    "_primitives": TABLE_CALLS,
+    "_scaled": _SCALED,
+}
 
 
 def _kernel_name(function, force_set):
@@ -47,13 +56,37 @@ def _settle(output, undecided, held):
     return f"settle({', '.join(options)})"
 
 
-def _solver_kernel(function, force_set):
+def _routine_kernel(function, force_set):
     """A kernel that hands over to a function of the templates."""
     names = ", ".join(a.name for a in function.arguments(force_set))
     return (
         f"def {_kernel_name(function, force_set)}({names}):\n"
-        f"{_docstring(function, force_set, SOLVER_TEXT)}    return _{function.solver}({names})\n"
+        f"{_docstring(function, force_set, ROUTINE_TEXT)}    return _{function.routine}({names})\n"
     )
+
+
+def _balance(name, plan, unknown):
+    """Source of what a solver evaluates in each of its steps."""
+    values = "".join(
+        f"        {key}={call_text(node, '')},\n" for key, node in zip(plan.names, plan.results, strict=True)
+    )
+    steps = "".join(f"    {key} = {call_text(node, '')}\n" for key, node in plan.steps)
+    return (
+        f"def {name}({', '.join(unknown)}):\n"
+        f'    """The {", ".join(plan.names)} of the equation that is solved.\n\n'
+        f'    Operations: {counts_text(plan)}.\n    """\n{steps}    return Balance(\n{values}    )\n'
+    )
+
+
+def _limit(function, limit):
+    """Lines that take out the lanes where the argument is beyond its largest value, or at it."""
+    return [
+        f"        most = {call_text(limit.most, '')}",
+        f"    void, full = within({function.ceiling.argument}_in, most, void)",
+        "    with quiet():",
+        f"        there = {call_text(limit.there, '')}",
+        "        rho = idle(void | full, rho)",
+    ]
 
 
 def kernel(function, force_set):
@@ -70,8 +103,8 @@ def kernel(function, force_set):
     str
         A Python function of float64 arrays.
     """
-    if function.solver:
-        return _solver_kernel(function, force_set)
+    if function.routine:
+        return _routine_kernel(function, force_set)
     plan = schedule(function, force_set)
     held = any(node[0] == "driving" for _, node in plan.steps)
     arguments = function.arguments(force_set)
@@ -86,33 +119,59 @@ def kernel(function, force_set):
         "    )",
         f"    {', '.join(names)}{',' * (len(names) == 1)} = arguments",
         *(f"    {name} = {text}" for text, name in clashes.items()),
+        *([f"    {function.ceiling.argument}_in = {function.ceiling.argument}"] if plan.limit else []),
         "    with quiet():",
         *(f"        {s} = load({symbols[s]})" for s in plan.loads),
     ]
-    for name, node in plan.steps:
+    for index, (name, node) in enumerate(plan.steps):
+        if plan.limit and index == plan.limit.after:
+            lines += _limit(function, plan.limit)
         lines.append(f"        {name} = {call_text(node, '')}")
         if node[0] == "driving":
             lines.append(f"        {name}, rest = moving({name})")
-    lines += [f"        {o.name} = {call_text(n, '')}" for o, n in zip(function.outputs, plan.results, strict=True)]
+    results = [call_text(node, "") for node in plan.results]
+    if plan.limit:
+        results = [f"at_most(full, there, {text})" for text in results]
+    lines += [f"        {o.name} = {text}" for o, text in zip(function.outputs, results, strict=True)]
     settled = [_settle(o, u, held) for o, u in zip(function.outputs, undecided, strict=True)]
     if len(settled) == 1:
         lines.append(f"    return {settled[0]}")
     else:
         lines += ["    return (", *(f"        {s}," for s in settled), "    )"]
-    return "\n".join(lines) + "\n"
+    text = "\n".join(lines) + "\n"
+    if plan.balance:
+        unknown = SOLVERS[function.full_name, force_set].unknown
+        return _balance(balance_name(function, force_set), plan.balance, unknown) + "\n\n" + text
+    return text
+
+
+def _kernels(function, indent):
+    """Rows of a table of kernels by force arguments."""
+    return "".join(
+        f"{indent}{names!r}: {_kernel_name(function, force_set)},\n"
+        for force_set, (names, _) in function.variants.items()
+    )
+
+
+def _ceiling(function):
+    """Row of the argument that has a largest value: its index, and the kernels of that value."""
+    if function.ceiling is None:
+        return ""
+    names = [a.name for a in function.arguments(next(iter(function.variants)))]
+    most = FUNCTIONS[f"{function.paper}.{function.ceiling.most}"]
+    rows = _kernels(most, " " * 16)
+    index = names.index(function.ceiling.argument)
+    return f'        "ceiling": (\n            {index},\n            {{\n{rows}            }},\n        ),\n'
 
 
 def _dispatch(function):
-    """Table row: which kernel serves which force arguments, and which argument is an angle."""
+    """Table row: which kernel serves which force arguments, which argument is an angle, which has a largest value."""
     angle = [a.unit == "rad" for a in function.arguments(next(iter(function.variants)))]
-    rows = "".join(
-        f"            {names!r}: {_kernel_name(function, force_set)},\n"
-        for force_set, (names, _) in function.variants.items()
-    )
     index = angle.index(True) if True in angle else None
     return (
         f'    "{function.name}": {{\n        "outputs": {len(function.outputs)},\n        "angle": {index},\n'
-        f'        "kernels": {{\n{rows}        }},\n    }},\n'
+        f"{_ceiling(function)}"
+        f'        "kernels": {{\n{_kernels(function, " " * 12)}        }},\n    }},\n'
     )
 
 
@@ -126,12 +185,13 @@ def module(paper):
         for source, names in _MODULES.items()
         if (used := [name for name in sorted(names) if f"{name}(" in text])
     )
-    solvers = sorted({f"_{f.solver.split('.')[0]}" for f in functions if f.solver})
-    imports += f"from . import {', '.join(solvers)}\n" if solvers else ""
+    sources = sorted({f"_{f.routine.split('.')[0]}" for f in functions if f.routine})
+    imports += f"from . import {', '.join(sources)}\n" if sources else ""
     infinity = "from math import inf\n\n" if "=inf" in text else ""
     table = "".join(_dispatch(f) for f in functions)
     return (
         f'"""Kernels of the {paper} formulas on float64 arrays."""\n\n{infinity}{imports}\n\n{text}\n\n'
-        "# Number of outputs, index of the angle among the arguments, and the kernel for each set of force arguments.\n"
+        "# Number of outputs, index of the angle among the arguments, the kernel for each set of force arguments;\n"
+        "# if an argument has a largest value, its index and the kernels of that value.\n"
         f"FUNCTIONS = {{\n{table}}}\n"
     )

@@ -3,8 +3,9 @@
 from itertools import combinations
 
 from galileo_sym.catalogue import stable
+from galileo_sym.solvers import SOLVERS
 
-SOLVER_TEXT = "Operations: as its cases need, at most a few dozen in pairs."
+ROUTINE_TEXT = "Operations: as its cases need, at most a few dozen in pairs."
 
 
 def call_text(node, prefix):
@@ -41,9 +42,13 @@ def clash_pairs(function, force_set, output):
     They come from the groups of the output, of which an argument may belong to several: these agree about it. What the
     result does not depend on decides nothing.
     """
-    form = stable(function, force_set)[function.outputs.index(output)]
-    symbols = {symbol.name for symbol in form.free_symbols}
-    present = {argument.name for argument in function.arguments(force_set) if argument.symbol in symbols}
+    arguments = function.arguments(force_set)
+    if (function.full_name, force_set) in SOLVERS:
+        present = {argument.name for argument in arguments}
+    else:
+        form = stable(function, force_set)[function.outputs.index(output)]
+        symbols = {symbol.name for symbol in form.free_symbols}
+        present = {argument.name for argument in arguments if argument.symbol in symbols}
     groups = [[name for name in group if name in present] for group in output.limits]
     pairs = []
     for one, other in combinations(groups, 2):

@@ -8,13 +8,15 @@ from collections import Counter
 from dataclasses import dataclass, field
 from functools import reduce
 
-from sympy import Add, Function, Integer, Mul, Number, Pow, Rational, Symbol, cos, exp, sin
+from sympy import Add, Function, Integer, Mul, Number, Pow, Rational, Symbol, cos, exp, pi, sin
 
-from galileo_sym.catalogue import NAMED, stable
-from galileo_sym.primitives import driving
+from galileo_sym.catalogue import FUNCTIONS, NAMED, PURE, in_catalogue_symbols, stable
+from galileo_sym.primitives import driving, phi1, phi2
+from galileo_sym.solvers import SOLVERS
 
 # How each function is called: emitted name, name given to its value or argument.
 _OF_ANGLE = {sin: ("sine", "S"), cos: ("cosine", "C"), driving: ("driving", "n")}
+_OF_DECAY = {exp: ("fading", "fade"), phi1: ("first", "phi1"), phi2: ("second", "phi2")}  # where a solver meets them
 OF_NUMBER = {
     "exp": ("phi0m", "z", -1),
     "phi1": ("phi1m", "z", -1),
@@ -27,8 +29,10 @@ OF_NUMBER = {
     "best_angle": ("best_elevation", None, 1),
     "max_range_factor": ("max_range_factor", "alpha", 1),
     "acot": ("acot", None, 1),
+    "best_time": ("best_time", None, 1),
+    "atan": ("arctangent", None, 1),
 }
-TABLE_CALLS = tuple(name for name, _, _ in OF_NUMBER.values())
+TABLE_CALLS = tuple(name for name, _, _ in OF_NUMBER.values() if name != "arctangent")
 _COUNTED = {
     "mul": "mul",
     "div": "div",
@@ -37,8 +41,22 @@ _COUNTED = {
     "sqrt": "sqrt",
     "angle": "sine and cosine",
     "driving": "driving force",
+    "decay": "decay",
+    "arctangent": "arctangent",
+    "launch": "solver",
     **dict.fromkeys(TABLE_CALLS, "table"),
 }
+_VALUES = {"arctangent": "turn"}  # names of values that several outputs share
+_RIGHT_ANGLE = pi / 2
+
+
+@dataclass
+class Limit:
+    """Where an argument ends: nodes of its largest value and of the output there; made after so many steps."""
+
+    after: int
+    most: tuple
+    there: tuple
 
 
 @dataclass
@@ -46,18 +64,28 @@ class Schedule:
     """The plan of one kernel.
 
     ``loads`` are the symbols of the arguments taken as scaled pairs, in order; ``steps`` (name, node) assignments in
-    order; ``results`` one node for each output.
+    order; ``results`` one node for each output; ``limit`` says where an argument ends; ``balance`` is the schedule of
+    what a solver evaluates in each of its steps, ``names`` the names of its results.
     """
 
     loads: list = field(default_factory=list)
     steps: list = field(default_factory=list)
     results: list = field(default_factory=list)
+    limit: Limit | None = None
+    balance: "Schedule | None" = None
+    names: tuple = ()
+
+    @property
+    def nodes(self):
+        """All nodes."""
+        ends = [self.limit.most, self.limit.there] if self.limit else []
+        return [node for _, node in self.steps] + ends + self.results
 
     @property
     def counts(self):
         """Return the number of operations of each kind."""
         total = Counter()
-        for node in [node for _, node in self.steps] + self.results:
+        for node in self.nodes:
             _count(node, total)
         return total
 
@@ -79,7 +107,8 @@ def _powers(expression):
 
 
 class _Scheduler:
-    def __init__(self, paper, order):
+    def __init__(self, paper, order, in_solver=False):
+        self.in_solver = in_solver
         self.schedule = Schedule()
         self.order = {symbol: i for i, symbol in enumerate(order)}
         self.named = [(name, form) for name, forms in NAMED[paper].items() for form in forms]
@@ -97,6 +126,8 @@ class _Scheduler:
         """Return the node of an expression."""
         if expression in self.known:
             return self.known[expression]
+        if expression == _RIGHT_ANGLE:
+            return ("right_angle",)
         for kind, method in _LOWERING.items():
             if isinstance(expression, kind):
                 return method(self, expression)
@@ -120,12 +151,18 @@ class _Scheduler:
             angle = self.assign("a", ("angle", expression.args[0]), ("angle", expression.args[0].name))
             rest = tuple(self.lower(argument) for argument in expression.args[1:])
             return self.assign(name, expression, (call, angle, *rest))
+        if self.in_solver and expression.func in _OF_DECAY:
+            call, name = _OF_DECAY[expression.func]
+            number = -expression.args[0]
+            values = self.assign("d", ("decay", number), ("decay", self.assign("s", number, self.lower(number))))
+            return self.assign(name, expression, (call, values))
         if expression.func.__name__ not in OF_NUMBER:
             raise TypeError(f"no emitted function for {expression.func}")
         call, name, sign = OF_NUMBER[expression.func.__name__]
         argument = sign * expression.args[0]
         node = self.lower(argument)
-        return (call, self.assign(name, argument, node) if name and not argument.is_Symbol else node)
+        value = (call, self.assign(name, argument, node) if name and not argument.is_Symbol else node)
+        return self.assign(_VALUES[call], expression, value) if call in _VALUES else value
 
     def sum(self, expression):
         """Node of a sum: positive terms first."""
@@ -239,14 +276,64 @@ def schedule(function, force_set):
     """
     forms = stable(function, force_set)
     names = [argument.symbol for argument in function.arguments(force_set)]
-    symbols = sorted({s for form in forms for s in form.free_symbols}, key=lambda s: names.index(s.name))
+    solver = SOLVERS.get((function.full_name, force_set))
+    pure = {name: form for name, form in PURE.items() if {s.name for s in form.free_symbols} <= set(names)}
+    needed = pure.values() if function.ceiling else forms
+    symbols = sorted({s for form in needed for s in form.free_symbols}, key=lambda s: names.index(s.name))
     scheduler = _Scheduler(function.paper, symbols)
+    plan = scheduler.schedule
+    if function.ceiling:
+        scheduler.named += pure.items()
+        for name, form in pure.items():
+            scheduler.assign(name, form, scheduler.lower(form))
+        plan.limit = _limit(function, force_set, scheduler, pure)
+    if solver:
+        plan.balance = _balance(function.paper, solver)
+        routine = balance_name(function, force_set)
+        plan.steps.append(("angles", (solver.template, routine, *solver.numbers)))
+        plan.names = tuple(output.name for output in function.outputs)
+        plan.results = [f"angles.{name}" for name in plan.names]
+    else:
+        forms = _share(forms, scheduler)
+        plan.results = [scheduler.lower(form) for form in forms]
+    plan.loads = [s.name for s in symbols if s in scheduler.used]
+    return plan
+
+
+def balance_name(function, force_set):
+    """Return the name of the function that a solver evaluates."""
+    return f"{function.name}_{force_set}_balance"
+
+
+def _share(forms, scheduler):
+    """Forms with their common factor named."""
     shared = _shared_factor(forms)
-    if shared.is_Mul:
-        symbol = Symbol("shared")
-        node = scheduler.lower(shared)
-        scheduler.known[symbol] = node if isinstance(node, str) else scheduler.assign("shared", symbol, node)
-        forms = [form / shared * symbol for form in forms]
-    scheduler.schedule.results = [scheduler.lower(form) for form in forms]
-    scheduler.schedule.loads = [s.name for s in symbols if s in scheduler.used]
-    return scheduler.schedule
+    if not shared.is_Mul:
+        return forms
+    symbol = Symbol("shared")
+    node = scheduler.lower(shared)
+    scheduler.known[symbol] = node if isinstance(node, str) else scheduler.assign("shared", symbol, node)
+    return [form / shared * symbol for form in forms]
+
+
+def _limit(function, force_set, scheduler, pure):
+    """Where the argument under a ceiling ends."""
+    most, there = (FUNCTIONS[f"{function.paper}.{name}"] for name in (function.ceiling.most, function.ceiling.there))
+    (largest,) = stable(most, force_set)
+    (output,) = stable(there, "")
+    (number,) = output.free_symbols
+    scheduler.known[number] = number.name if number.name in pure else ("constant", 0.0)
+    nodes = scheduler.lower(largest), scheduler.lower(output)
+    return Limit(len(scheduler.schedule.steps), *nodes)
+
+
+def _balance(paper, solver):
+    """Plan what a solver evaluates in each step."""
+    forms = solver.balance()
+    symbols = {s.name: s for form in forms.values() for s in form.free_symbols}
+    scheduler = _Scheduler(paper, [symbols[name] for name in solver.unknown], in_solver=True)
+    scheduler.named = [(name, form) for name, make in solver.named.items() for form in [in_catalogue_symbols(make)]]
+    plan = scheduler.schedule
+    plan.names = tuple(forms)
+    plan.results = [scheduler.lower(form) for form in forms.values()]
+    return plan

@@ -13,7 +13,8 @@ from galileo_sym.primitives.tables import (
 )
 
 _SERIES_TERMS = 9
-_PAIR_TERMS = {"atanh": 21, "growth": 10}
+_PAIR_TERMS = {"atanh": 21, "growth": 10, "decay_series": 22}
+_DECAY_PAIRS = 11  # terms after these are below 2**-50 of the sum
 
 
 def _numbers(values, indent, per_line):
@@ -35,6 +36,7 @@ def numpy_tables():
         out.append(f"{name} = {series_rows(key, _SERIES_TERMS)!r}\n")
     for name, count in _PAIR_TERMS.items():
         out.append(f"{name.upper()} = {pair_rows(name, count)!r}\n")
+    out.append(f"DECAY_PAIRS = {_DECAY_PAIRS}\n")
     for name, column in (("SINE", 0), ("COSINE", 1)):
         rows = "".join(f"        [\n{_numbers(_parts(column, part), ' ' * 12, 4)},\n        ],\n" for part in range(3))
         out.append(f"{name} = np.array(\n    [\n{rows}    ]\n)\n")
@@ -93,4 +95,5 @@ def c_sizes():
         f"#define GS_PER_BINADE {PER_BINADE}\n#define GS_ANGLE_STEPS {ANGLE_STEPS}\n#define GS_DEGREE {DEGREE}\n"
         f"#define GS_ROW {DEGREE + 4}\n#define GS_SERIES_TERMS {_SERIES_TERMS}\n"
         + "".join(f"#define GS_{name.upper()}_TERMS {count}\n" for name, count in _PAIR_TERMS.items())
+        + f"#define GS_DECAY_PAIRS {_DECAY_PAIRS}\n"
     )

@@ -225,6 +225,25 @@ class best_angle(Primitive):
         return asin(best_sine(a))
 
 
+class best_time(Primitive):
+    """best_time(a) = s/a with 1 + (s - 1) exp(s) = a**2, s >= 0; sqrt(2) at a = 0.
+
+    The time of flight at the angle of greatest range in units of v/g, at a = k v/g; projectile, Theorem 3.
+    """
+
+    at_zero = sqrt(2)
+    latex_name = r"\operatorname{besttime}"
+    is_positive = True
+
+    @staticmethod
+    def _derivative(a):
+        time = best_time(a)
+        return (2 * exp(-a * time) / time - time) / a
+
+    def _eval_rewrite_as_LambertW(self, a, **kwargs):
+        return (1 + LambertW((a**2 - 1) * exp(-1))) / a
+
+
 class max_range_factor(Primitive):
     """max_range_factor(a) = sqrt(1 - (1 + s) exp(-s))/a with 1 + (s - 1) exp(s) = a**2, s >= 0; 1 at a = 0.
 
@@ -301,6 +320,7 @@ FUNCTIONS = {
         range_loss,
         best_sine,
         best_angle,
+        best_time,
         max_range_factor,
         driving,
     )

@@ -159,6 +159,7 @@ _VALUES = {
     "w0_offset": _w0_offset,
     "wm1_offset": _wm1_offset,
     "branch_factor": _branch_factor,
+    "best_time": lambda a: _best_root(a) / a if a else mp.sqrt(2),
     "wright_omega": _omega_root,
     "max_range_factor": _max_range_factor,
     "exp": mp.exp,
@@ -174,9 +175,9 @@ def mp_value(name, x):
     ----------
     name : str
         ``phi1``, ``phi2`` or ``exp`` (x real), ``descent_factor``, ``flight_factor``, ``range_factor``,
-        ``range_balance``, ``range_loss``, ``best_sine``, ``best_angle``, ``max_range_factor``, ``w0_offset``,
-        ``wm1_offset``, ``branch_factor``, ``acot``, ``log1p`` or ``wright_omega`` (x >= 0). All dimensionless;
-        ``best_angle`` and ``acot`` in radians.
+        ``range_balance``, ``range_loss``, ``best_sine``, ``best_angle``, ``best_time``, ``max_range_factor``,
+        ``w0_offset``, ``wm1_offset``, ``branch_factor``, ``acot``, ``log1p`` or ``wright_omega`` (x >= 0). All
+        dimensionless; ``best_angle`` and ``acot`` in radians.
     x : real number
         Taken exactly.
 

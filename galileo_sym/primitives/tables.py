@@ -95,6 +95,7 @@ TABLES = {
             "b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T))",
         ),
         Table("best_angle", _of("best_angle"), 1023.0, None, "asin(a/(exp(s) - 1)) with 1 + (s - 1) exp(s) = a^2"),
+        Table("best_time", _of("best_time"), 1023.0, None, "s/a with 1 + (s - 1) exp(s) = a^2"),
         Table(
             "max_range_factor",
             _of("max_range_factor"),
@@ -184,8 +185,15 @@ def series_rows(name, count):
 
 @cache
 def pair_rows(name, count):
-    """Return series coefficients as two doubles: ``atanh``, 1/(2 k + 1), or ``growth``, 1/(k + 1)!, from k = 0 on."""
-    term = {"atanh": lambda k: mpf(1) / (2 * k + 1), "growth": lambda k: 1 / mp.factorial(k + 1)}[name]
+    """Return series coefficients as two doubles, from k = 0 on.
+
+    ``atanh``: 1/(2 k + 1); ``growth``: 1/(k + 1)!; ``decay_series``: (-1)**k/(k + 2)!, phi2(-s) in powers of s.
+    """
+    term = {
+        "atanh": lambda k: mpf(1) / (2 * k + 1),
+        "growth": lambda k: 1 / mp.factorial(k + 1),
+        "decay_series": lambda k: (-1) ** k / mp.factorial(k + 2),
+    }[name]
     with mp.workdps(70):
         return tuple(split(term(k), 2) for k in range(count))
 

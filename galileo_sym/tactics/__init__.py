@@ -57,6 +57,7 @@ from .roots import (
     sides_of_root,
     unique_maximum,
 )
+from .scaled_roots import root_at_scale
 from .signs import (
     arguments_reversed,
     ladder,
@@ -143,6 +144,7 @@ __all__ = [
     "rescale",
     "restricted",
     "revert_minimum",
+    "root_at_scale",
     "root_of_product",
     "said_of",
     "same_argument",

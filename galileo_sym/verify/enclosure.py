@@ -95,6 +95,12 @@ def logarithm(x):
     return _widened(lower, upper)
 
 
+def arctangent(x):
+    """Enclosure of arctan over an interval of any width."""
+    bits = CONTEXT.prec + _GUARD_BITS
+    return _widened(*(libmp.mpf_atan(end, bits, libmp.round_nearest) for end in x._mpi_))
+
+
 def nearest_float(result):
     """The float nearest the lower end of an `Enclosure`."""
     return libmp.to_float(result.low, rnd=libmp.round_nearest)

@@ -26,7 +26,14 @@ def _chord_scene(mu, gamma_tau):
 def _projectile_scene(rates):
     """Figure 4: v = 50, g = 32.2 (feet), several k."""
     return [
-        {"theta": angle / 10, "t": part * 3.1 * math.ldexp(angle, -4), "v": 50.0, "g": 32.2, "k": k}
+        {
+            "theta": angle / 10,
+            "t": part * 3.1 * math.ldexp(angle, -4),
+            "v": 50.0,
+            "g": 32.2,
+            "k": k,
+            "r": 0.99 * part * 2500.0 / (32.2 + 50.0 * k),
+        }
         for k in rates
         for angle in range(1, 16, 2)
         for part in _TENTHS_OF_TAU
@@ -124,6 +131,14 @@ KNOWN_HARD = {
             (1e250, 1.0, -1e-300, 1e250),
             (1e-300, 1e200, -1e300, 1e150),
         )
+    ],
+    ("projectile.launch_angles", "drag"): [
+        {"r": 1e-300, "v": 10.0, "g": 9.81, "k": 0.1},
+        {"r": 0.0, "v": 10.0, "g": 9.81, "k": 0.1},
+        {"r": 1e250, "v": 1e250, "g": 1e-250, "k": 1e-100},
+        {"r": 1e-250, "v": 1e-120, "g": 1e-10, "k": 1e100},
+        {"r": 0.99999, "v": 1e100, "g": 1e-100, "k": 1e100},
+        {"r": 8.0, "v": 10.0, "g": 9.81, "k": 1e-200},
     ],
     ("projectile.best_angle", "all"): [{"alpha": alpha} for alpha in (1.0 + 2.0**-52, 1.0, 1.5e-8, 1e155, 1e200)],
 }

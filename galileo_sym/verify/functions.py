@@ -108,6 +108,18 @@ _TABLE = (
     ),
     Function("projectile", "range_slope_k", ("theta",), ("v", "g"), PROJECTILE_FORCES, ("slope",)),
     Function("projectile", "max_range", (), ("v", "g"), PROJECTILE_FORCES, ("range",)),
+    Function(
+        "projectile",
+        "launch_angles",
+        ("r",),
+        ("v", "g"),
+        PROJECTILE_FORCES,
+        ("low", "high"),
+        unit=dict.fromkeys(
+            ("low", "high"),
+            "ulp of the exact result, or 2^-40 of what an ulp of the range does to it where that is more",
+        ),
+    ),
     Function("projectile", "best_angle", ("alpha",), (), ONE_LAW, ("angle",)),
     Function("lambert", "w0", ("x",), (), ONE_LAW, ("w",), 1.0, ranges={"x": (_ABOVE_BRANCH_POINT, math.inf)}),
     Function("lambert", "wm1", ("x",), (), ONE_LAW, ("w",), 1.0, ranges={"x": (_ABOVE_BRANCH_POINT, -math.ulp(0.0))}),

@@ -5,10 +5,11 @@ best angle) are roots of the printed equations, found by Newton's method and the
 Every function takes its arguments as floats in SI units and radians, and returns a tuple of `Enclosure`.
 """
 
-from . import chord_equations, lambert_reference, projectile_equations
+from . import chord_equations, lambert_reference, launch_equations, projectile_equations
 from .enclosure import certain
 
-EQUATIONS = {**chord_equations.EQUATIONS, **lambert_reference.EQUATIONS, **projectile_equations.EQUATIONS}
+_TABLES = (chord_equations, lambert_reference, launch_equations, projectile_equations)
+EQUATIONS = {name: equation for table in _TABLES for name, equation in table.EQUATIONS.items()}
 
 
 def reference(function, arguments):

@@ -4,14 +4,14 @@ A stratum draws one value for each variable of its paper; a function keeps those
 variable the kernel does not have are left out of its list.
 """
 
-from . import chord_strata, lambert_strata, projectile_strata
+from . import chord_strata, lambert_strata, launch_strata, projectile_strata
 from .fixed_points import KNOWN_HARD, SCENES
 from .stratum import Stratum
 
 __all__ = ["Stratum", "fixed_strata", "random_strata", "strata_names"]
 
 # For a paper, or for a function that has its own.
-TABLES = {**chord_strata.TABLES, **lambert_strata.TABLES, **projectile_strata.TABLES}
+TABLES = {**chord_strata.TABLES, **lambert_strata.TABLES, **launch_strata.TABLES, **projectile_strata.TABLES}
 
 
 def random_strata(function, force_set):

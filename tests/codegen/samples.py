@@ -50,4 +50,13 @@ def arguments(function, force_set, n, width, seed):
             drawn[argument.name] = rng.choice([-1.0, 1.0], n) * 10.0 ** rng.uniform(-width, width, n)
         else:
             drawn[argument.name] = 10.0 ** rng.uniform(-width, width, n)
+    if "r" in drawn:
+        drawn["r"] = _ranges(rng, n, **drawn)
     return drawn
+
+
+def _ranges(rng, n, r, v, g, k=0.0):
+    """Shares of v**2/(g + k v), which is below the largest range, of any size or close to 1."""
+    exponent = 2 * np.log10(v) - np.log10(g + k * v)
+    share = np.choose(rng.integers(0, 2, n), [np.minimum(r, 1.0), 1 - 10.0 ** rng.uniform(-9, 0, n)])
+    return share * 10.0 ** np.clip(exponent - 1e-9, -290, 300)

@@ -72,6 +72,22 @@ CASES = [
     ),
 ]
 
+# The low angle; the call's high one goes to a variable.
+ANGLES = [
+    ("8.0, 10.0, 9.81, 0.1", "isfinite", "0"),
+    ("0.0, 10.0, 9.81, 0.1", "is_zero", "0"),
+    ("1e-300, 10.0, 9.81, 1e-310", "isfinite", "0"),
+    ("1.0, 1e250, 1e-250, 1e-100", "is_zero", "FE_UNDERFLOW"),  # the largest range overflows
+    ("1e-320, 1e-160, 1.0, 1.0", "isfinite", "0"),
+    ("1e-30, 1e-200, 1.0, 1.0", "isnan", "FE_INVALID"),  # the largest range underflows
+    ("1.0, INFINITY, 9.81, 0.1", "is_zero", "0"),
+    ("1.0, INFINITY, INFINITY, 0.1", "isnan", "FE_INVALID"),
+    ("1e9, 10.0, 9.81, 0.1", "isnan", "FE_INVALID"),
+    ("INFINITY, 1e250, 1e-250, 0.0", "isnan", "FE_INVALID"),
+    ("NAN, 10.0, -1.0, 0.1", "isnan", "0"),
+]
+CASES += [(f"(gs_projectile_launch_angles({a}, &low, &high), low)", kind, flags) for a, kind, flags in ANGLES]
+
 DRIVER = """#include <fenv.h>
 #include <float.h>
 #include <math.h>
@@ -85,6 +101,7 @@ static double root(int branch, double a, double b, double c, double d)
     gs_lambert_linear_exponential_roots(a, b, c, d, t, t + 1);
     return t[branch];
 }}
+static double low, high;
 #define CASE(expression, kind, flags) do {{ \\
     feclearexcept(FE_ALL_EXCEPT); \\
     volatile double value = expression; \\

@@ -8,7 +8,7 @@ from galileo_sym.codegen import schedule as scheduling
 from galileo_sym.codegen.printing import call_text
 from galileo_sym.codegen.schedule import schedule
 
-KERNELS = [(name, s) for name, function in FUNCTIONS.items() if not function.solver for s in function.variants]
+KERNELS = [(name, s) for name, function in FUNCTIONS.items() if not function.routine for s in function.variants]
 
 
 def _plan(name, force_set):
@@ -39,16 +39,33 @@ def test_no_name_is_given_twice_and_every_name_is_used(name, force_set):
     plan = schedule(FUNCTIONS[name], force_set)
     names = [step for step, _ in plan.steps]
     assert len(set(names)) == len(names)
-    text = " ".join(str(node) for _, node in plan.steps) + str(plan.results)
-    assert all(f"'{step}'" in text for step in [*names, *plan.loads])
+    text = str(plan.nodes)
+    assert all(f"'{step}'" in text or f"'{step}." in text for step in [*names, *plan.loads])
 
 
-@pytest.mark.parametrize(("name", "force_set"), KERNELS)
+@pytest.mark.parametrize(("name", "force_set"), [(n, f) for n, f in KERNELS if FUNCTIONS[n].ceiling is None])
 def test_a_primitive_is_evaluated_once_for_each_argument(name, force_set):
     plan = schedule(FUNCTIONS[name], force_set)
     calls = {call for form in stable(FUNCTIONS[name], force_set) for call in form.atoms(Function)}
     tables = {call for call in calls if call.func.__name__ in scheduling.OF_NUMBER}
     assert plan.counts["table"] == len(tables)
+
+
+@pytest.mark.parametrize("force_set", ["free", "drag"])
+def test_the_ceiling_of_an_argument_is_the_function_it_names(force_set):
+    plan = schedule(FUNCTIONS["projectile.launch_angles"], force_set)
+    (most,) = schedule(FUNCTIONS["projectile.max_range"], force_set).results
+    assert call_text(plan.limit.most, "") == call_text(most, "")
+    alpha = "alpha" if force_set == "drag" else "constant(0.0)"
+    assert call_text(plan.limit.there, "") == f"best_elevation({alpha})"
+
+
+def test_what_a_solver_evaluates_comes_from_the_ledger():
+    plan = schedule(FUNCTIONS["projectile.launch_angles"], "drag")
+    assert plan.names == ("low", "high")
+    assert plan.balance.names == ("square", "slope", "bend", "rise", "lean")
+    assert ("d", ("decay", "s")) in plan.balance.steps
+    assert call_text(plan.balance.results[3], "") == "fall"
 
 
 def test_counts():

@@ -33,4 +33,7 @@ SIGN_ALONE = {
     ("projectile.mono.inv-increasing", "projectile.mono.alpha2"): shifted,
     ("beyond.pure-flight.best-angle", "beyond.pure-flight.independent"): opposite,
 }
-INVARIANT = {**CENTRE_ALONE, **ROOT_ALONE, **SIGN_ALONE}
+SLOPES_ALONE = {  # an equation doubled has doubled slopes
+    ("stable.projectile.launch_angles.slopes", "stable.projectile.launch_angles.drag"): partial(scaled, name="alpha"),
+}
+INVARIANT = {**CENTRE_ALONE, **ROOT_ALONE, **SIGN_ALONE, **SLOPES_ALONE}

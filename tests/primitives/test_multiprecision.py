@@ -52,6 +52,7 @@ CLOSED = {
     "w0_offset": lambda x: 1 + mp.lambertw(-mp.exp(-1 - x)).real,
     "wm1_offset": lambda x: 1 + mp.lambertw(-mp.exp(-1 - x), -1).real,
     "branch_factor": lambda r: mp.exp(-mp.lambertw((r**2 / 2 - 1) / mp.e).real),
+    "best_time": lambda a: (1 + mp.lambertw((a**2 - 1) / mp.e).real) / a,
 }
 
 

@@ -8,6 +8,7 @@ from galileo_sym.primitives import (
     FUNCTIONS,
     best_angle,
     best_sine,
+    best_time,
     branch_factor,
     descent_factor,
     driving,
@@ -36,6 +37,7 @@ AT_ZERO = {
     max_range_factor: 1,
     best_sine: sqrt(2) / 2,
     best_angle: pi / 4,
+    best_time: sqrt(2),
     branch_factor: E,
     w0_offset: 0,
     wm1_offset: 0,
@@ -51,6 +53,7 @@ SLOPE_AT_ZERO = {
     max_range_factor: -2 * sqrt(2) / 3,
     best_sine: Rational(-1, 6),
     best_angle: -sqrt(2) / 6,
+    best_time: Rational(-2, 3),
     branch_factor: -E,
 }
 x = Symbol("x", positive=True)

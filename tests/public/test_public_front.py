@@ -9,6 +9,15 @@ import pytest
 
 from galileo_sym import chord, projectile
 
+
+def _quarter(value):
+    """A range within reach, of the value's type where it has quarters."""
+    try:
+        return value * 0.25
+    except TypeError:
+        return value
+
+
 CALLS = {
     "chord.descent_time": lambda *a, **o: chord.descent_time(a[0], diameter=a[1], g=a[2], mu=a[3], gamma=a[4], **o),
     "chord.distance": lambda *a, **o: chord.distance(a[1], a[0], g=a[2], mu=a[3], gamma=a[4], **o),
@@ -17,12 +26,14 @@ CALLS = {
     "projectile.flight_time": lambda *a, **o: projectile.flight_time(a[0], v=a[1], g=a[2], k=a[3], **o),
     "projectile.horizontal_range": lambda *a, **o: projectile.horizontal_range(a[0], v=a[1], g=a[2], k=a[3], **o),
     "projectile.position": lambda *a, **o: projectile.position(a[4], a[0], v=a[1], g=a[2], k=a[3], **o),
+    "projectile.launch_angles": lambda *a, **o: projectile.launch_angles(_quarter(a[3]), v=a[2], g=a[4], k=a[1], **o),
     "projectile.best_angle": lambda *a, **o: projectile.best_angle(a[3], **o),
 }
 UNUSED = {  # positions in GOOD that a function does not take
     "chord.synchronous_circle": (0,),
     "projectile.flight_time": (4,),
     "projectile.horizontal_range": (4,),
+    "projectile.launch_angles": (0,),
     "projectile.best_angle": (0, 1, 2, 4),
 }
 GOOD = (0.5, 1.5, 9.81, 0.25, 0.75)

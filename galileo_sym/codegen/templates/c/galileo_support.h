@@ -35,6 +35,21 @@ typedef struct {
     gs_scaled s, c;
 } gs_direction;
 
+/* exp(-s), phi1(-s) = (1 - exp(-s))/s and phi2(-s) = (s - 1 + exp(-s))/s^2; exp(-s) is 0 for s > 75. */
+typedef struct {
+    gs_scaled fading, first, second;
+} gs_decay_values;
+
+/* F at a time of flight z, its first derivative by Z = z^2 and minus its second; rise/range = tan(theta), d rise/dZ. */
+typedef struct {
+    gs_scaled square, slope, bend, rise, lean;
+} gs_balance;
+
+/* The two angles that reach a range. */
+typedef struct {
+    gs_scaled low, high;
+} gs_angles;
+
 /* A piecewise polynomial, and the leading terms 2^shift x^power (1 + correction x^-order) beyond x_max. */
 typedef struct {
     const double (*rows)[GS_ROW]; /* centre, c0, its rest, c1, its rest, c2, ... */
@@ -46,13 +61,13 @@ typedef struct {
 } gs_table;
 
 extern const gs_table gs_phi1m_table, gs_phi2m_table, gs_descent_factor_table, gs_flight_factor_table,
-    gs_range_factor_table, gs_range_loss_table, gs_grown_balance_table, gs_best_angle_table,
+    gs_range_factor_table, gs_range_loss_table, gs_grown_balance_table, gs_best_angle_table, gs_best_time_table,
     gs_max_range_factor_table, gs_acot_table, gs_phi0m_table, gs_wright_omega_table, gs_log1p_table,
     gs_principal_table, gs_w0_offset_table, gs_wm1_offset_table;
 extern const double gs_sinc[GS_SERIES_TERMS][3], gs_cosm1[GS_SERIES_TERMS][3];
 extern const double gs_sine_table[][3], gs_cosine_table[][3];
 extern const double gs_half_pi[4], gs_log_2[3], gs_e[2], gs_inverse_e[3];
-extern const double gs_atanh[GS_ATANH_TERMS][2], gs_growth[GS_GROWTH_TERMS][2];
+extern const double gs_atanh[GS_ATANH_TERMS][2], gs_growth[GS_GROWTH_TERMS][2], gs_decay_series[GS_DECAY_SERIES_TERMS][2];
 
 gs_scaled gs_phi0m(gs_scaled z);
 gs_scaled gs_phi1m(gs_scaled z);
@@ -65,14 +80,22 @@ gs_scaled gs_range_loss(gs_scaled b);
 gs_scaled gs_best_elevation(gs_scaled a);
 gs_scaled gs_max_range_factor(gs_scaled a);
 gs_scaled gs_acot(gs_scaled x);
+gs_scaled gs_best_time(gs_scaled a);
 gs_direction gs_angle(double theta);
 gs_scaled gs_driving(gs_direction a, gs_scaled mu);
+gs_decay_values gs_decay(gs_scaled s);
+gs_scaled gs_elevation_of(gs_scaled opposite, gs_scaled adjacent);
+gs_scaled gs_arctangent(gs_scaled x);
+/* Both angles of a range in units of v^2/g, below that of the best angle; balance takes a time in units of v/g. */
+gs_angles gs_launch(gs_balance (*balance)(gs_scaled z, gs_scaled alpha), gs_scaled reach, gs_scaled alpha);
 
 /* Pairs: an unevaluated sum of two doubles. */
 
 typedef struct {
     double hi, lo;
 } gs_pair;
+
+gs_pair gs_log(gs_scaled a); /* natural logarithm of a >= 1 (one double, normalised) */
 
 static inline gs_pair gs_fast_two_sum(double a, double b)
 {
@@ -130,6 +153,18 @@ static inline gs_scaled gs_constant(double value)
     return r;
 }
 
+static inline gs_scaled gs_zero(void)
+{
+    const gs_scaled r = {0.0, 0.0, GS_ZERO_EXPONENT};
+    return r;
+}
+
+static inline gs_scaled gs_right_angle(void)
+{
+    const gs_scaled r = {gs_half_pi[0], gs_half_pi[1], 0};
+    return r;
+}
+
 static inline gs_scaled gs_load(double x)
 {
     gs_scaled r = {0.5, 0.0, GS_INFINITE_EXPONENT};
@@ -178,10 +213,15 @@ static inline gs_scaled gs_add(gs_scaled a, gs_scaled b)
     return gs_make(gs_pair_add(gs_align(a, e), gs_align(b, e)), e);
 }
 
+static inline gs_scaled gs_neg(gs_scaled a)
+{
+    const gs_scaled r = {-a.hi, -a.lo, a.e};
+    return r;
+}
+
 static inline gs_scaled gs_sub(gs_scaled a, gs_scaled b)
 {
-    const gs_scaled minus = {-b.hi, -b.lo, b.e};
-    return gs_add(a, minus);
+    return gs_add(a, gs_neg(b));
 }
 
 static inline gs_scaled gs_scale(gs_scaled a, int k)
@@ -190,16 +230,19 @@ static inline gs_scaled gs_scale(gs_scaled a, int k)
     return a;
 }
 
-static inline gs_scaled gs_neg(gs_scaled a)
-{
-    const gs_scaled r = {-a.hi, -a.lo, a.e};
-    return r;
-}
-
 /* Absolute value. */
 static inline gs_scaled gs_size(gs_scaled a)
 {
     return copysign(1.0, a.hi) < 0.0 ? gs_neg(a) : a;
+}
+
+/* The nearest double of a scaled pair as one, normalised. */
+static inline gs_scaled gs_rounded(gs_scaled a)
+{
+    int e;
+    const double m = frexp(a.hi, &e);
+    const gs_scaled r = {m, 0.0, a.e + e};
+    return r;
 }
 
 static inline gs_scaled gs_sine(gs_direction a)
@@ -222,6 +265,21 @@ static inline double gs_round_subnormal(gs_scaled a)
     return copysign(ldexp((s.hi + (s.lo + copysign(1.0, a.hi) * a.lo)) - big, e), a.hi);
 }
 
+static inline gs_scaled gs_fading(gs_decay_values a)
+{
+    return a.fading;
+}
+
+static inline gs_scaled gs_first(gs_decay_values a)
+{
+    return a.first;
+}
+
+static inline gs_scaled gs_second(gs_decay_values a)
+{
+    return a.second;
+}
+
 /* The nearest double, with the flags of one rounding; limits at infinite arguments come without a flag. */
 static inline double gs_store(gs_scaled a)
 {
@@ -231,6 +289,16 @@ static inline double gs_store(gs_scaled a)
         return copysign(0.0, a.hi);
     const double result = ldexp(a.hi, a.e);
     return fabs(result) <= DBL_MIN && a.hi != 0.0 ? gs_round_subnormal(a) : result;
+}
+
+/* The nearest double of a number that is only compared with: without flags. */
+static inline double gs_compared(gs_scaled a)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile double result = gs_store(a);
+    fesetenv(&flags);
+    return result;
 }
 
 /* A number that is only looked up: 0 below 2^-120, some large number above 2^100. */
@@ -271,6 +339,12 @@ static inline double gs_widen_angle(float theta)
 {
     const double x = theta;
     return fabsf(theta) == (float)gs_half_pi[0] ? copysign(gs_half_pi[0], x) : x;
+}
+
+/* The float next to the most that an argument may be counts as that. */
+static inline double gs_widen_to(float x, double most)
+{
+    return x == (float)most ? most : (double)x;
 }
 
 /* Exponential and logarithm, both branches of W, and the equations they solve. */

@@ -100,7 +100,7 @@ def range_balance(b):
     return mul(phi0m(b), select(far, mul(b, Scaled(*INVERSE_E[:2], np.int32(0))), near))
 
 
-def _log(a):
+def log(a):
     """Natural logarithm of a >= 1, as a pair."""
     m, e = np.frexp(a.hi)
     k = np.minimum(a.e + e - 1, 1030).astype(np.float64)
@@ -120,7 +120,7 @@ def _excess_far(a):
     """w = s - 1 for large a, from w + log(w) = log(a**2 - 1) - 1."""
     u, _ = plain(div(constant(1.0), a))
     q = u * u
-    hi, lo = _log(a)
+    hi, lo = log(a)
     hi, lo = pair_add(hi + hi, lo + lo, -1.0, -q * (1.0 + 0.5 * q))
     return Scaled(*_lookup(TABLES["wright_omega"], hi, lo), np.int32(0))
 
@@ -138,6 +138,11 @@ def _max_range_factor_far(a):
     return div(sqrt(sub(constant(1.0), lost)), a)
 
 
+def _best_time_far(a):
+    """From s = 1 + w."""
+    return div(add(constant(1.0), _excess_far(a)), a)
+
+
 def _near_and_far(table, a, beyond):
     """A table of a scaled pair >= 0, and a function for what lies beyond it."""
     u, u_lo = plain(a)
@@ -150,6 +155,11 @@ def _near_and_far(table, a, beyond):
 def best_elevation(a):
     """Angle of greatest range, of a scaled pair >= 0."""
     return _near_and_far(TABLES["best_angle"], a, _best_elevation_far)
+
+
+def best_time(a):
+    """Time of flight at the angle of greatest range in units of v/g, of a scaled pair >= 0."""
+    return _near_and_far(TABLES["best_time"], a, _best_time_far)
 
 
 def max_range_factor(a):

@@ -22,6 +22,9 @@ class Scaled(NamedTuple):
     e: np.ndarray
 
 
+ZERO = Scaled(np.float64(0.0), np.float64(0.0), np.int32(ZERO_EXPONENT))
+
+
 def constant(value):
     """Return a power of two, or another number of moderate size, as a scaled pair."""
     return Scaled(np.float64(value), np.float64(0.0), np.int32(0))
@@ -127,6 +130,12 @@ def plain(a):
     small = e < -120
     e = np.where(small, 0, e)
     return np.ldexp(np.where(small, 0.0, a.hi), e), np.ldexp(np.where(small, 0.0, a.lo), e)
+
+
+def rounded(a):
+    """Return the nearest double of a scaled pair as one, normalised."""
+    m, e = np.frexp(a.hi)
+    return Scaled(m, np.zeros_like(m), a.e + e)
 
 
 def select(mask, a, b):
