@@ -108,9 +108,11 @@ def emit(options) -> int:
 
 def verify(options) -> int:
     """Measure errors in ulp, and hold them against the certificates."""
+    contenders = _contenders() if options.typed_in else []
+    if find_spec("flint") is None:
+        raise UsageError("references are computed with Arb by python-flint: pip install python-flint")
     from galileo_sym.verify import run
 
-    contenders = _contenders() if options.typed_in else []
     with _bar(options, "verify") as progress:
         return run.run(
             options.names,

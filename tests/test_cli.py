@@ -180,6 +180,13 @@ finally:
     assert done.stderr == "loaded:\n"
 
 
+def test_verifying_without_flint_says_what_it_needs(capsys, monkeypatch):
+    monkeypatch.setattr("galileo_sym.commands.find_spec", lambda name: None if name == "flint" else name)
+    code, _, err = call(capsys, "verify", "chord.max_angle")
+    assert code == 2
+    assert "pip install python-flint" in err
+
+
 def test_the_package_runs_as_a_module():
     assert fresh("-m", "galileo_sym", "--version").stdout == f"galileo-sym {__version__}\n"
     unknown = fresh("-m", "galileo_sym", "derive", "chord.eqn21")

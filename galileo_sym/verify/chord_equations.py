@@ -1,34 +1,30 @@
-"""The printed equations of the chord paper at exact inputs, in interval arithmetic."""
+"""The printed equations of the chord paper at exact inputs, in ball arithmetic."""
 
 import math
 
-from mpmath import libmp
-
 from .enclosure import (
-    CONTEXT,
     INFINITE,
     ZERO,
     Undecided,
+    arctangent,
     decay,
     enclosure,
+    float_newton,
     newton,
     number,
     proved_root,
     sine_cosine,
-    to_float,
+    square_root,
 )
-
-_FLOAT_NEWTON_STEPS = 60
 
 
 def _chord_angle(theta, mu):
     """Enclosures of sin|theta|, cos theta and cos theta - mu sin|theta|; the last is None for a bead at rest."""
     sine, cosine = sine_cosine(number(abs(theta)))
     driving = cosine - number(mu) * sine
-    low, high = driving._mpi_
-    if libmp.mpf_sign(high) < 0:
+    if driving < 0:
         return sine, cosine, None
-    if libmp.mpf_sign(low) <= 0:
+    if not driving > 0:
         raise Undecided("the sign of cos|theta| - mu sin|theta| needs more bits")
     return sine, cosine, driving
 
@@ -49,17 +45,15 @@ def _lag(tau):
 
 def _first_lag_root(target):
     """A first guess at the tau > 0 with tau - 1 + exp(-tau) = target, good to some 1e-8."""
-    size = to_float(target)
+    size = float(target)
     if not 1e-10 < size < 1e10:
-        return target + 1 if size > 1 else CONTEXT.sqrt(2 * target)
-    tau = math.sqrt(2 * size) if size < 1 else size + 1
-    for _ in range(_FLOAT_NEWTON_STEPS):
+        return target + 1 if size > 1 else square_root(2 * target)
+
+    def step(tau):
         lost = -math.expm1(-tau)
-        step = (tau - lost - size) / lost
-        tau -= step
-        if abs(step) < 1e-9 * tau:
-            break
-    return number(tau)
+        return (tau - lost - size) / lost
+
+    return number(float_newton(step, math.sqrt(2 * size) if size < 1 else size + 1))
 
 
 def _descent_time(theta, diameter, g, mu, gamma):
@@ -73,7 +67,7 @@ def _descent_time(theta, diameter, g, mu, gamma):
     slope = driving / cosine if mu else number(1)  # 1 - mu tan|theta|
     length = number(diameter) / (number(g) * slope)
     if gamma == 0:
-        return (enclosure(CONTEXT.sqrt(2 * length)),)
+        return (enclosure(square_root(2 * length)),)
     rate = number(gamma)
     target = rate * rate * length
     near = newton(lambda tau: (_lag(tau)[0] - target, _lag(tau)[1]), _first_lag_root(target))
@@ -95,24 +89,9 @@ def _speed(t, theta, g, mu, gamma):
     return (enclosure(number(g) * time * driving),)
 
 
-def _tangent(angle):
-    """The tangent, which increases below pi/2."""
-    sine, cosine = sine_cosine(angle)
-    return sine / cosine
-
-
-def _arctangent(tangent):
-    """The angle below pi/2 with a given tangent, 0 < tangent <= 1."""
-    middle = libmp.mpf_atan(tangent.mid._mpi_[0], CONTEXT.prec, libmp.round_nearest)
-    return proved_root(_tangent, tangent, CONTEXT.make_mpf((middle, middle)))
-
-
 def _max_angle(mu):
-    """(13): the angle with tangent 1/mu; below mu = 1 its complement is the one found."""
-    if mu >= 1:
-        return (enclosure(_arctangent(1 / number(mu))),)
-    right = CONTEXT.pi / 2
-    return (enclosure(right if mu == 0 else right - _arctangent(number(mu))),)
+    """(13): the angle with tangent 1/mu."""
+    return (enclosure(arctangent(1 / number(mu)) if mu else number.pi() / 2),)
 
 
 def _chord_position(t, theta, g, mu, gamma):
@@ -128,7 +107,7 @@ def _synchronous_circle(t, g, mu, gamma):
     """X, Y, R of (45)-(47), which are (10), (22), (32) where forces are absent."""
     depth = _fall(t, g, gamma) / 2
     slope = number(mu)
-    return (enclosure(slope * depth), enclosure(depth), enclosure(CONTEXT.sqrt(1 + slope * slope) * depth))
+    return (enclosure(slope * depth), enclosure(depth), enclosure(square_root(1 + slope * slope) * depth))
 
 
 EQUATIONS = {

@@ -1,22 +1,28 @@
-"""Rigorous enclosures by interval arithmetic: the few operations the printed equations need.
+"""Rigorous enclosures by ball arithmetic: the few operations the printed equations need.
 
-Intervals are those of `mpmath` (outward rounding of + - * / sqrt). Its exponential, logarithm, sine and cosine carry
-guard bits but no proof of the last one, so they are evaluated with 16 bits to spare and widened by 2**14 times their
-stated error.
+Balls are those of Arb, by `python-flint`: every operation, elementary functions included, returns a ball that holds the
+exact result for all points of its arguments. A ball made of a float or an integer is a point, without rounding. A
+comparison holds only if it holds for all points of both balls.
 """
 
+import math
+from functools import wraps
 from typing import NamedTuple
 
-from mpmath import libmp
-from mpmath.ctx_iv import MPIntervalContext
+from flint import arb, ctx
 
-CONTEXT = MPIntervalContext()
 FIRST_PRECISION = 160
 LAST_PRECISION = 1 << 16
 CERTAIN_BITS = 90
-_GUARD_BITS = 16
-_SERIES_BELOW = -20  # z - 1 + exp(-z) is summed as a series below 2**-20, where subtraction costs over 40 bits
+_SERIES_BELOW = 2.0**-20  # there z - 1 + exp(-z) is summed as a series: subtraction would cost over 40 bits
 _NEWTON_STEPS = 200
+_FLOAT_STEPS = 60
+_BELOW_ALL_FORMATS = arb(2) ** -1200
+_FIRST_BRACKET = arb(0.5, 0.5)
+
+number = arb
+exponential, logarithm, square_root = arb.exp, arb.log, arb.sqrt
+sine_cosine, arcsine, arctangent = arb.sin_cos, arb.asin, arb.atan
 
 
 class Undecided(ArithmeticError):
@@ -24,91 +30,51 @@ class Undecided(ArithmeticError):
 
 
 class Enclosure(NamedTuple):
-    """An exact result between two numbers, both in mpmath's raw form (sign, mantissa, exponent, bits).
+    """A ball that holds an exact result.
 
     Attributes
     ----------
-    low, high : tuple
-        Ends of the interval; equal to `libmp.finf` for a result that is infinite.
-    scale : tuple or None
-        Lower bound of the magnitude that errors are measured against, where that is not the result's own.
+    ball : arb
+        Infinite for a result that is, NaN for one that does not exist.
+    scale : arb or None
+        A point, lower bound of the magnitude that errors are measured against, where that is not the result's own.
     """
 
-    low: tuple
-    high: tuple
-    scale: tuple | None = None
+    ball: arb
+    scale: arb | None = None
 
 
-INFINITE = Enclosure(libmp.finf, libmp.finf)
-ZERO = Enclosure(libmp.fzero, libmp.fzero)
-ABSENT = Enclosure(libmp.fnan, libmp.fnan)  # of a root that does not exist: the result has to be NaN
+INFINITE = Enclosure(arb.pos_inf())
+ZERO = Enclosure(arb(0))
+ABSENT = Enclosure(arb.nan())  # of a root that does not exist: the result has to be NaN
 
 
-def number(value):
-    """The point interval of a float or integer, without rounding."""
-    raw = libmp.from_float(value) if isinstance(value, float) else libmp.from_int(value)
-    return CONTEXT.make_mpf((raw, raw))
+def with_bits(bits):
+    """Decorate a function to work at a precision, and to leave flint's context as it was."""
+
+    def decorate(function):
+        @wraps(function)
+        def precisely(*given):
+            before = ctx.prec
+            ctx.prec = bits
+            try:
+                return function(*given)
+            finally:
+                ctx.prec = before
+
+        return precisely
+
+    return decorate
 
 
-def enclosure(interval, scale=None):
-    """An `Enclosure` of an interval; `scale` is an interval of positive numbers or None."""
-    low, high = interval._mpi_
-    return Enclosure(low, high, None if scale is None else scale._mpi_[0])
-
-
-def _widened(low, high):
-    """An interval around two approximations of one point or two, each widened by its guard bits."""
-    slack = libmp.from_man_exp(1, -CONTEXT.prec - 2)
-    down = libmp.mpf_sub(low, libmp.mpf_abs(libmp.mpf_mul(low, slack)), CONTEXT.prec, libmp.round_floor)
-    up = libmp.mpf_add(high, libmp.mpf_abs(libmp.mpf_mul(high, slack)), CONTEXT.prec, libmp.round_ceiling)
-    return CONTEXT.make_mpf((down, up))
-
-
-def sine_cosine(theta):
-    """Enclosures of sin and cos at a point.
-
-    Parameters
-    ----------
-    theta : interval
-        A point interval, 0 <= theta <= the double nearest pi/2, in radians.
-    """
-    (point, _) = theta._mpi_
-    cosine, sine = libmp.mpf_cos_sin(point, CONTEXT.prec + _GUARD_BITS, libmp.round_nearest)
-    return _widened(sine, sine), _widened(cosine, cosine)
-
-
-def exponential(x):
-    """Enclosure of exp over an interval of any width."""
-    low, high = x._mpi_
-    bits = CONTEXT.prec + _GUARD_BITS
-    lower = libmp.mpf_exp(low, bits, libmp.round_nearest)
-    upper = lower if low == high else libmp.mpf_exp(high, bits, libmp.round_nearest)
-    return _widened(lower, upper)
-
-
-def logarithm(x):
-    """Enclosure of log over an interval of positive numbers."""
-    low, high = x._mpi_
-    bits = CONTEXT.prec + _GUARD_BITS
-    lower = libmp.mpf_log(low, bits, libmp.round_nearest)
-    upper = lower if low == high else libmp.mpf_log(high, bits, libmp.round_nearest)
-    return _widened(lower, upper)
-
-
-def arctangent(x):
-    """Enclosure of arctan over an interval of any width."""
-    bits = CONTEXT.prec + _GUARD_BITS
-    return _widened(*(libmp.mpf_atan(end, bits, libmp.round_nearest) for end in x._mpi_))
+def enclosure(ball, scale=None):
+    """An `Enclosure` of a ball; `scale` is a ball of positive numbers or None."""
+    return Enclosure(ball, None if scale is None else scale.abs_lower())
 
 
 def nearest_float(result):
-    """The float nearest the lower end of an `Enclosure`."""
-    return libmp.to_float(result.low, rnd=libmp.round_nearest)
-
-
-def _magnitude(raw):
-    """The exponent m with 2**(m - 1) <= |x| < 2**m of a raw nonzero number."""
-    return raw[2] + raw[3]
+    """The float nearest the middle of an `Enclosure`."""
+    return float(result.ball)
 
 
 def decay(z):
@@ -116,108 +82,125 @@ def decay(z):
 
     Parameters
     ----------
-    z : interval
-        A point interval, z >= 0 (dimensionless: gamma t or k t).
+    z : arb
+        A ball of numbers z >= 0 (dimensionless: gamma t or k t).
 
     Returns
     -------
-    tuple of three intervals
+    tuple of three balls
         For small z the two leading terms of exp(-z) are cancelled before summing:
         z - 1 + exp(-z) = z**2/2 (1 - z/3 (1 - z/4 (1 - ...))), where each bracket lies in [0, 1] for z < 1.
     """
-    point = z._mpi_[0]
-    if point == libmp.fzero:
-        return number(1), number(0), number(0)
-    magnitude = _magnitude(point)
-    if magnitude > _SERIES_BELOW:
+    if not z < _SERIES_BELOW:
         fading = exponential(-z)
         lost = 1 - fading
         return fading, lost, z - lost
-    bracket = CONTEXT.make_mpf((libmp.fzero, libmp.fone))
-    for order in range(3 + CONTEXT.prec // -magnitude, 2, -1):
+    if z.is_zero():
+        return number(1), number(0), number(0)
+    bracket = _FIRST_BRACKET
+    for order in range(3 + ctx.prec // -_magnitude(z), 2, -1):
         bracket = 1 - z * bracket / order
     lag = z * z * bracket / 2
     lost = z - lag
     return 1 - lost, lost, lag
 
 
-def midpoint(x):
-    """The point interval at the middle of an interval."""
-    low, high = x._mpi_
-    middle = libmp.mpf_shift(libmp.mpf_add(low, high), -1)
-    middle = libmp.mpf_pos(middle, CONTEXT.prec, libmp.round_nearest)
-    return CONTEXT.make_mpf((middle, middle))
+def _magnitude(x):
+    """The exponent m with about 2**(m - 1) <= x < 2**m; that of the least float for what is smaller."""
+    return math.frexp(float(x) or math.ulp(0.0))[1]
 
 
-def to_float(x):
-    """The double nearest the middle of an interval; +-inf or 0 where that leaves the range."""
-    return libmp.to_float(midpoint(x)._mpi_[0])
+def spared(function):
+    """A function of s that vanishes like s**2, evaluated with the bits that its subtraction costs."""
+
+    def evaluate(s):
+        spare = 2 * max(0, -_magnitude(s))
+        ctx.prec += spare
+        try:
+            return function(s)
+        finally:
+            ctx.prec -= spare
+
+    return evaluate
+
+
+def float_newton(step, start):
+    """A first guess (no proof) by Newton's method in floats, x - step(x) repeated from `start`."""
+    x = start
+    for _ in range(_FLOAT_STEPS):
+        move = step(x)
+        x -= move
+        if abs(move) < 1e-9 * x:
+            break
+    return x
 
 
 def newton(value_and_slope, start):
-    """A close approximation (no proof) of a positive root by Newton's method from `start`, as a point interval.
+    """A close approximation (no proof) of a positive root by Newton's method from `start`, as a point.
 
     Parameters
     ----------
     value_and_slope : callable
-        Takes a point interval, gives intervals of the function and of its derivative.
-    start : interval
+        Takes a point, gives balls of the function and of its derivative.
+    start : arb
         Positive first guess on the side from which the method converges.
     """
-    x = midpoint(start)
+    x = start.mid()
+    settled = number(2) ** -(ctx.prec // 2)
     for _ in range(_NEWTON_STEPS):
         value, slope = value_and_slope(x)
-        step = midpoint(midpoint(value) / midpoint(slope))
-        following = midpoint(x - step)
-        raw, move = following._mpi_[0], step._mpi_[0]
-        if move == libmp.fzero or _magnitude(move) < _magnitude(raw) - CONTEXT.prec // 2:
-            return following
-        x = following
+        step = (value / slope).mid()
+        x = (x - step).mid()
+        if abs(step) < settled * x:
+            return x
     raise Undecided("Newton's method did not settle")
 
 
-def proved_root(increasing, target, near):
-    """An enclosure of the x > 0 with increasing(x) = target, proved by a change of sign.
+def proved_root(function, target, near, falling=False):
+    """An enclosure of an x > 0 with function(x) = target, proved by a change of sign.
 
     Parameters
     ----------
-    increasing : callable
-        An increasing function of x > 0: takes a point interval, gives an interval.
-    target : interval
+    function : callable
+        An increasing function of x > 0, or a decreasing one, or one that does so about one root only: takes a point,
+        gives a ball.
+    target : arb
         The value to meet, positive; every number in it is met inside the result.
-    near : interval
-        Point interval close to the root; needs no proof.
+    near : arb
+        Point close to the root; needs no proof.
+    falling : bool
+        Whether the function decreases.
 
     Raises
     ------
     Undecided
-        If the bracket of 2**(48 - precision), widened by the target's own width, holds no certain change of sign.
+        If the bracket of 2**(-32 - precision/2), widened by the target's own width, holds no certain change of sign.
     """
-    low, high = target._mpi_
-    width = CONTEXT.make_mpf((libmp.fzero, libmp.mpf_sub(high, low)))
-    part = 4 * (width / target).b + CONTEXT.make_mpf((libmp.fzero, libmp.from_man_exp(1, 48 - CONTEXT.prec))).b
-    bottom, top = (near * (1 - part)).a, (near * (1 + part)).b
-    if not increasing(bottom).b < target.a:
-        raise Undecided("no sign at the lower end of the bracket")
-    if not increasing(top).a > target.b:
-        raise Undecided("no sign at the upper end of the bracket")
-    return CONTEXT.make_mpf((bottom._mpi_[0], top._mpi_[1]))
+    part = (8 * target.rad() / target + number(2) ** (-32 - ctx.prec // 2)).mid()
+    bottom, top = (near * (1 - part)).mid(), (near * (1 + part)).mid()
+    below, above = (top, bottom) if falling else (bottom, top)
+    if not function(below) < target:
+        raise Undecided("no sign at the end of the bracket below the target")
+    if not function(above) > target:
+        raise Undecided("no sign at the end of the bracket above the target")
+    return bottom.union(top)
+
+
+def increasing(function, x):
+    """The ball of an increasing function over a ball: that of its values at both ends."""
+    return function(x.lower()).union(function(x.upper()))
 
 
 def _is_certain(result):
-    """Whether an enclosure is narrower than 2**-90 of its magnitude (or scale)."""
-    if result == ABSENT:
+    """Whether an enclosure is narrower than 2**-90 of its magnitude (or scale), or below the range of any format."""
+    if result is ABSENT or result is INFINITE:
         return True
-    width = libmp.mpf_sub(result.high, result.low, 30, libmp.round_up)
-    if width == libmp.fzero or result == INFINITE:
+    ball, scale = result
+    if ball.rel_accuracy_bits() > CERTAIN_BITS + 2:  # which rounds exponents
         return True
-    if result.scale is not None:
-        size = result.scale
-    elif libmp.mpf_sign(result.low) * libmp.mpf_sign(result.high) <= 0:
-        return False
-    else:
-        size = min(libmp.mpf_abs(result.low), libmp.mpf_abs(result.high), key=_magnitude)
-    return size != libmp.fzero and _magnitude(width) < _magnitude(size) - CERTAIN_BITS
+    if scale is not None:
+        return ball.rad() < scale * 2.0 ** -(CERTAIN_BITS + 1)
+    return ball.abs_upper() < _BELOW_ALL_FORMATS
 
 
 def certain(compute):
@@ -226,21 +209,25 @@ def certain(compute):
     Parameters
     ----------
     compute : callable
-        Takes nothing, works at the precision of `CONTEXT`, returns a tuple of `Enclosure`.
+        Takes nothing, works at the precision of flint's context, returns a tuple of `Enclosure`.
 
     Raises
     ------
     ArithmeticError
         If 65536 bits do not suffice.
     """
+    before = ctx.prec
     precision = FIRST_PRECISION
-    while precision <= LAST_PRECISION:
-        CONTEXT.prec = precision
-        try:
-            results = compute()
-        except Undecided:
-            results = None
-        if results is not None and all(_is_certain(result) for result in results):
-            return results
-        precision *= 2
+    try:
+        while precision <= LAST_PRECISION:
+            ctx.prec = precision
+            try:
+                results = compute()
+            except Undecided:
+                results = None
+            if results is not None and all(map(_is_certain, results)):
+                return results
+            precision *= 2
+    finally:
+        ctx.prec = before
     raise ArithmeticError(f"no certain reference with {LAST_PRECISION} bits; the inputs lie on a singular point")

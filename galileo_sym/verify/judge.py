@@ -6,6 +6,7 @@ import numpy as np
 
 from .functions import FUNCTIONS
 from .measure import Sample, as_hex, evaluate, first_difference, measure
+from .screening import Rounded
 from .ulp import rounded_up
 
 OK = "ok"
@@ -69,7 +70,6 @@ def _verdict(measurement, bound, record):
 
 def _failure(sample, back_end, verdict, bound):
     task = sample.task
-    point = {name: values[0] for name, values in sample.arguments.items()}
     return Row(
         task.function,
         task.force_set,
@@ -78,7 +78,7 @@ def _failure(sample, back_end, verdict, bound):
         sample.size,
         float("inf"),
         "",
-        as_hex(point),
+        as_hex(sample.point(0)),
         bound,
         verdict,
     )
@@ -122,8 +122,7 @@ def judge(sample, back_ends, record):
         if first is None:
             first = results
         else:
-            point = as_hex({name: values[differs] for name, values in sample.arguments.items()})
-            shown = " ".join(f"{name}={value}" for name, value in point.items())
+            shown = " ".join(f"{name}={value}" for name, value in as_hex(sample.point(differs)).items())
             verdict = f"bits differ from {back_ends[0].name}, first at {shown}"
             measurements[-1] = (back_end.name, measurement, verdict)
     for position, (name, measurement, verdict) in enumerate(measurements):
@@ -165,8 +164,9 @@ def compare(sample, contender):
     results = evaluate(sample, contender)
     finite = np.logical_and.reduce([np.isfinite(values) for values in results])[: sample.size]
     kept = np.flatnonzero(finite)
-    arguments = {name: [values[i] for i in kept] for name, values in sample.arguments.items()}
-    part = Sample(replace(task, recorded=None), arguments, [sample.references[i] for i in kept])
+    arguments = {name: values[kept] for name, values in sample.arguments.items()}
+    exact = tuple(Rounded(*(column[kept] for column in output)) for output in sample.exact)
+    part = Sample(replace(task, recorded=None), arguments, exact)
     found = measure(part, tuple(values[kept] for values in results)) if len(kept) else None
     return Row(
         task.function,

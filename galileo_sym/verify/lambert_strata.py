@@ -1,10 +1,10 @@
 """Strata of W and of the roots of a t + b + c exp(d t) = 0."""
 
 import math
-from fractions import Fraction
 
-from mpmath import libmp
+from flint import fmpq
 
+from .enclosure import logarithm, number, with_bits
 from .sampling import grid_end, step
 from .stratum import Stratum
 
@@ -63,14 +63,11 @@ def _opposite(draw, **given):
     return {**drawn, "c": -sign * abs(drawn["c"])}
 
 
+@with_bits(_BITS)
 def _double_constant(a, c, d):
     """The float nearest the b of a double root: b d/a = 1 + log(-c d/a), for c d/a < 0."""
-    ratio = -Fraction(c) * Fraction(d) / Fraction(a)
-    value = libmp.from_rational(ratio.numerator, ratio.denominator, _BITS)
-    level = libmp.mpf_add(libmp.fone, libmp.mpf_log(value, _BITS))
-    rate = Fraction(a) / Fraction(d)
-    exact = libmp.mpf_mul(level, libmp.from_rational(rate.numerator, rate.denominator, _BITS), _BITS)
-    return libmp.to_float(exact, rnd=libmp.round_nearest)
+    a, c, d = (fmpq(*x.as_integer_ratio()) for x in (a, c, d))
+    return float((1 + logarithm(number(-c * d / a))) * number(a / d))
 
 
 def _two_roots(draw):

@@ -5,114 +5,102 @@ k r/v = cos(theta) (1 - exp(-T)). The square of the range rises with T up to its
 rise through (k r/v)**2 encloses the low shot and a fall the high one.
 """
 
-from fractions import Fraction
+from flint import ctx
 
-from mpmath import libmp, mp
+from .enclosure import (
+    ZERO,
+    Undecided,
+    arctangent,
+    decay,
+    enclosure,
+    increasing,
+    number,
+    proved_root,
+    square_root,
+)
+from .projectile_equations import near_best_time
 
-from .enclosure import CONTEXT, ZERO, Undecided, arctangent, decay, enclosure, number
-
-_GUESS_BITS = 200
-_HALVINGS = 90
+_STEPS = 200
 _STEEP = 2.0**40  # conditions beyond which an error is measured against what the arguments' own roundings do
 
 
 def _square(time, lift):
-    """(k r/v)**2 at an impact time, and its derivative over 2 (1 - exp(-T))."""
-    fading, lost, lag = decay(time)
+    """(k r/v)**2 at an impact time."""
+    _, lost, lag = decay(time)
     height = lag / lift
-    return lost * lost - height * height, fading - lag / (lift * lift)
+    return (lost - height) * (lost + height)
 
 
-def _guess_decay(time):
-    """exp(-T), 1 - exp(-T) and T - 1 + exp(-T), without loss, in ordinary multiprecision."""
-    lost = -mp.expm1(-time)
-    if time > 2**-20:
-        return 1 - lost, lost, time - lost
-    return 1 - lost, lost, time**2 / 2 * (1 - time / 3 * (1 - time / 4 * (1 - time / 5 * (1 - time / 6))))
+def _derivatives(time, lift):
+    """(k r/v)**2 at an impact time and its first two derivatives, each over 2."""
+    fading, lost, lag = decay(time)
+    weight = 1 / (lift * lift)
+    value = (lost * lost - lag * lag * weight) / 2
+    return value, lost * (fading - lag * weight), fading * (fading - lost - lag * weight) - lost * lost * weight
 
 
-def _guess_best(lift):
-    """The impact time of the largest range, nearly: by Theorem 3."""
-    if lift < mp.mpf(2) ** -40:
-        return mp.sqrt(2) * lift * (1 - mp.sqrt(2) / 3 * lift)
-    return 1 + mp.lambertw((lift**2 - 1) / mp.e).real
+def _near(lift, pull, low):
+    """A close approximation (no proof) of the impact time of the low or the high shot.
 
-
-def _guess(lift, pull, low):
-    """An impact time close to the root, by halving the interval between its bounds, geometrically where it is wide."""
-    best = _guess_best(lift)
-    bottom, top = (pull, best) if low else (best, min(1 + lift, 2 * lift))
-    if bottom >= top:
-        return best
-    for _ in range(_HALVINGS):
-        middle = mp.sqrt(bottom * top) if top > 2 * bottom else (bottom + top) / 2
-        _, lost, lag = _guess_decay(middle)
-        above = (lost - lag / lift) * (lost + lag / lift) > pull**2
-        if above == low:
-            top = middle
+    From the time of the largest range, steps to the root of the parabola with the same value and derivatives, which
+    settle fast also where the roots run together; from the time of a shot that does not fall where that leads astray.
+    """
+    target = pull * pull / 2
+    best = near_best_time(lift)
+    bottom, top = (-(-pull).log1p(), best) if low else (best, 2 + 2 * lift)
+    settled = number(2) ** -(ctx.prec // 2)
+    x = best
+    for _ in range(_STEPS):
+        value, slope, curvature = _derivatives(x, lift)
+        missing = target - value
+        root = square_root(abs(slope * slope + 2 * missing * curvature))
+        step = (2 * missing / (slope + root if low else slope - root)).mid()
+        if abs(step) < settled * x:
+            return (x + step).mid()
+        if (missing > 0) == low:
+            bottom = x
         else:
-            bottom = middle
-    return middle
-
-
-def _middle(interval):
-    """An interval's lower end as an ordinary multiprecision number."""
-    return mp.make_mpf(interval._mpi_[0])
+            top = x
+        x = (x + step).mid()
+        if not bottom < x < top:
+            x = bottom.mid() if x is not bottom and low else ((bottom + top) / 2).mid()
+    raise Undecided("the steps to the impact did not settle")
 
 
 def _impact(lift, pull, low):
     """Enclosure of the impact time of the low or the high shot, with lift = k v/g and pull = k r/v."""
-    with mp.workprec(_GUESS_BITS):
-        near = CONTEXT.make_mpf((_guess(_middle(lift), _middle(pull), low)._mpf_,) * 2)
-    target = pull * pull
-    for _ in range(CONTEXT.prec.bit_length()):  # Newton's method doubles the digits
-        value, slope = _square(near, lift)
-        step = (value - target) / (2 * decay(near)[1] * slope)
-        near = _point(near - step)
-    half = CONTEXT.make_mpf((libmp.from_man_exp(1, -CONTEXT.prec // 2),) * 2)
-    ends = _point(near * (1 - half)), _point(near * (1 + half))
-    below, above = (_square(end, lift)[0] - target for end in (ends if low else ends[::-1]))
-    if not (below.b < 0 < above.a):
-        raise Undecided("no sign of the range at an end of the bracket")
-    return ends
-
-
-def _point(x):
-    middle = libmp.mpf_shift(libmp.mpf_add(*x._mpi_), -1)
-    middle = libmp.mpf_pos(middle, CONTEXT.prec, libmp.round_nearest)
-    return CONTEXT.make_mpf((middle, middle))
+    return proved_root(lambda time: _square(time, lift), pull * pull, _near(lift, pull, low), falling=not low)
 
 
 def _with_resistance(r, v, g, k):
     lift, pull = number(k) * number(v) / number(g), number(k) * number(r) / number(v)
     angles = []
     for low in (True, False):
-        ends = _impact(lift, pull, low)
-        lags = [decay(end)[2] for end in ends]
-        lag = CONTEXT.make_mpf((lags[0]._mpi_[0], lags[1]._mpi_[1]))
-        angle = arctangent(lag / (lift * pull))
-        angles.append(enclosure(angle, _unit(angle, ends[0], lift, pull)))
+        time = _impact(lift, pull, low)
+        angle = arctangent(increasing(lambda time: decay(time)[2], time) / (lift * pull))
+        angles.append(enclosure(angle, _unit(angle, time.lower(), lift, pull)))
     return tuple(angles)
 
 
 def _unit(angle, time, lift, pull):
     """What errors are measured against where the angle follows the range over 2**40 times: that share of its change."""
-    _, lost, lag = decay(time)
-    _, slope = _square(time, lift)
+    fading, lost, lag = decay(time)
+    slope = fading - lag / (lift * lift)
     of_tangent = pull * pull / (slope * lag) - 1  # by the logarithms of both
     share = abs(of_tangent * lag * pull / (lost * lost * lift * angle))
-    return angle * share / _STEEP if share.a > _STEEP else None
+    return angle * share / _STEEP if share > _STEEP else None
 
 
 def _without_resistance(r, v, g):
     """sin(2 theta) = g r/v**2."""
-    sine = number(g) * number(r) / (number(v) * number(v))
-    if Fraction(g) * Fraction(r) == Fraction(v) ** 2:
+    most, taken = number(v) * number(v), number(g) * number(r)
+    if most == taken:  # products of two doubles are exact
         return (enclosure(arctangent(number(1))),) * 2
-    rest = 1 - sine * sine
-    if not rest.a > 0:
+    sine = taken / most
+    rest = (1 - sine) * (1 + sine)
+    if not rest > 0:
         raise Undecided("whether the range is beyond the largest needs more bits")
-    cosine = CONTEXT.sqrt(rest)
+    cosine = square_root(rest)
     return enclosure(arctangent(sine / (1 + cosine))), enclosure(arctangent((1 + cosine) / sine))
 
 
@@ -125,8 +113,7 @@ def _launch_angles(r, v, g, k):
         If the bits do not suffice; above the largest range none do.
     """
     if r == 0:
-        right = arctangent(number(1))
-        return ZERO, enclosure(2 * right)
+        return ZERO, enclosure(number.pi() / 2)
     return _with_resistance(r, v, g, k) if k else _without_resistance(r, v, g)
 
 

@@ -1,6 +1,7 @@
 """Sample a stratum with certain references, and measure a back end's errors on the sample."""
 
 import math
+from array import array
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from .functions import FUNCTIONS
 from .reference import reference
 from .sampling import Draw
+from .screening import Rounded, error_bounds, rounded
 from .strata import fixed_strata, random_strata
 from .ulp import representable, ulp_error
 
@@ -50,20 +52,28 @@ class Sample:
     ----------
     task : Task
         What was asked for.
-    arguments : dict of str to list of float
-        The kernel's arguments, in order.
-    references : list of tuple of Enclosure
-        One enclosure an output for each point. The recorded worst input, if any, comes last.
+    arguments : dict of str to ndarray
+        The kernel's arguments, in order; of the recorded worst input, if any, last.
+    exact : tuple of Rounded
+        The results that belong to them, for each output.
     """
 
     task: Task
     arguments: dict
-    references: list
+    exact: tuple
 
     @property
     def size(self):
         """How many points there are besides the recorded worst input."""
-        return len(self.references) - (self.task.recorded is not None)
+        return len(self.exact[0].value) - (self.task.recorded is not None)
+
+    def point(self, index):
+        """The arguments of one point, as floats."""
+        return {name: float(values[index]) for name, values in self.arguments.items()}
+
+    def references(self, index):
+        """Enclosures of the results at one point: found again, as keeping those of all points takes much more room."""
+        return _references(self.task, self.point(index))
 
 
 @dataclass(frozen=True)
@@ -88,26 +98,42 @@ class Measurement:
     recorded_error: float | None
 
 
-def _drawn(function, task, stratum):
+def _references(task, point):
+    absent = FUNCTIONS[task.function].absent_forces(task.force_set)
+    return reference(task.function, {**point, **dict.fromkeys(absent, 0.0)})
+
+
+def _drawn(task, names, stratum):
     """Points of a random stratum with representable results, and their references."""
-    names = function.arguments(task.force_set)
-    absent = dict.fromkeys(function.absent_forces(task.force_set), 0.0)
     draw = Draw(f"{task.seed}:{task.function}:{task.force_set}:{task.stratum}")
-    found = []
+    variables, found = set(names), 0
     for _ in range(_TRIES_PER_POINT * task.points):
-        if len(found) == task.points:
-            break
-        values = stratum.draw(draw, set(names))
+        values = stratum.draw(draw, variables)
         point = {name: values[name] for name in names}
-        results = reference(task.function, point | absent)
+        results = _references(task, point)
         if all(map(representable, results)):
-            found.append((point, results))
-    if len(found) < task.points:
-        raise VacuousStratumError(
-            f"{task.function} [{task.force_set}], stratum {task.stratum}: only {len(found)} of {task.points} points "
-            f"have a representable result after {_TRIES_PER_POINT} tries a point; widen the stratum"
-        )
-    return found
+            yield point, results
+            found += 1
+            if found == task.points:
+                return
+    raise VacuousStratumError(
+        f"{task.function} [{task.force_set}], stratum {task.stratum}: only {found} of {task.points} points "
+        f"have a representable result after {_TRIES_PER_POINT} tries a point; widen the stratum"
+    )
+
+
+def _points(task, names):
+    """All points of a task with their references, the recorded worst input last."""
+    function = FUNCTIONS[task.function]
+    lists = fixed_strata(function, task.force_set)
+    if task.stratum in lists:
+        listed = [{name: point[name] for name in names} for point in lists[task.stratum]]
+        yield from ((point, _references(task, point)) for point in listed)
+    else:
+        drawn = {stratum.name: stratum for stratum in random_strata(function, task.force_set)}
+        yield from _drawn(task, names, drawn[task.stratum])
+    if task.recorded is not None:
+        yield task.recorded, _references(task, task.recorded)
 
 
 def take_sample(task):
@@ -129,25 +155,24 @@ def take_sample(task):
     """
     function = FUNCTIONS[task.function]
     names = function.arguments(task.force_set)
-    absent = dict.fromkeys(function.absent_forces(task.force_set), 0.0)
-    lists = fixed_strata(function, task.force_set)
-    if task.stratum in lists:
-        points = [{name: point[name] for name in names} for point in lists[task.stratum]]
-        found = [(point, reference(task.function, point | absent)) for point in points]
-    else:
-        drawn = {stratum.name: stratum for stratum in random_strata(function, task.force_set)}
-        found = _drawn(function, task, drawn[task.stratum])
-    if task.recorded is not None:
-        found.append((task.recorded, reference(task.function, task.recorded | absent)))
-    arguments = {name: [point[name] for point, _ in found] for name in names}
-    return Sample(task, arguments, [results for _, results in found])
+    arguments, exact = array("d"), [array("d") for _ in function.outputs]  # rows one after the other
+    for point, results in _points(task, names):
+        arguments.extend(point[name] for name in names)
+        for column, enclosure in zip(exact, results, strict=True):
+            column.extend(rounded(enclosure))
+    columns = np.array(arguments).reshape(-1, len(names)).T.copy()
+    return Sample(task, dict(zip(names, columns, strict=True)), tuple(map(_as_rounded, exact)))
+
+
+def _as_rounded(column):
+    value, rest, unit = np.array(column).reshape(-1, 3).T.copy()
+    return Rounded(value, rest, unit.astype(int))
 
 
 def evaluate(sample, back_end):
     """A back end's results on a sample: a tuple of arrays, one for each output."""
     function = FUNCTIONS[sample.task.function]
-    arrays = {name: np.array(values) for name, values in sample.arguments.items()}
-    return back_end.evaluate(function, sample.task.force_set, arrays)
+    return back_end.evaluate(function, sample.task.force_set, sample.arguments)
 
 
 def measure(sample, results):
@@ -165,17 +190,24 @@ def measure(sample, results):
     Measurement
     """
     outputs = FUNCTIONS[sample.task.function].outputs
+    bounds = [error_bounds(values, exact) for values, exact in zip(results, sample.exact, strict=True)]
+    least = max(lower.max() for lower, _ in bounds)
+    upper = np.maximum.reduce([upper for _, upper in bounds])
     largest, at, of = -1.0, 0, outputs[0]
-    last = 0.0
-    for index, exact in enumerate(sample.references):
-        last = 0.0
-        for name, values, enclosure in zip(outputs, results, exact, strict=True):
-            error = ulp_error(values[index], enclosure)
-            last = max(last, error)
+    for index in np.flatnonzero(upper >= least):
+        for name, error in zip(outputs, _errors(sample, results, index), strict=True):
             if error > largest:
                 largest, at, of = error, index, name
-    worst = {name: values[at] for name, values in sample.arguments.items()}
-    return Measurement(largest, of, worst, None if sample.task.recorded is None else last)
+        if largest >= upper.max():
+            break
+    recorded = None if sample.task.recorded is None else max(_errors(sample, results, -1))
+    return Measurement(largest, of, sample.point(at), recorded)
+
+
+def _errors(sample, results, index):
+    """The errors of one point, for each output."""
+    exact = sample.references(index)
+    return [ulp_error(values[index], enclosure) for values, enclosure in zip(results, exact, strict=True)]
 
 
 def first_difference(first, second):

@@ -1,28 +1,26 @@
-"""The printed equations of the projectile paper at exact inputs, in interval arithmetic."""
+"""The printed equations of the projectile paper at exact inputs, in ball arithmetic."""
 
 import math
 
-from mpmath import libmp
-
 from .enclosure import (
-    CONTEXT,
     ZERO,
+    arcsine,
     decay,
     enclosure,
     exponential,
+    float_newton,
+    logarithm,
     newton,
     number,
     proved_root,
     sine_cosine,
-    to_float,
+    square_root,
 )
-
-_FLOAT_NEWTON_STEPS = 60
 
 
 def _larger(one, other):
-    """Of two intervals of positive numbers, the one with the larger lower end."""
-    return other if libmp.mpf_lt(one._mpi_[0], other._mpi_[0]) else one
+    """Of two balls of positive numbers, the one that is larger; either if they overlap."""
+    return other if one < other else one
 
 
 def _position(t, theta, v, g, k):
@@ -54,17 +52,15 @@ def _velocity(t, theta, v, g, k):
 
 def _first_flight_root(lift):
     """A first guess at the T > 0 with T - 1 + exp(-T) = lift (1 - exp(-T))."""
-    size = to_float(lift)
+    size = float(lift)
     if not 1e-10 < size < 1e10:
         return lift + 1 if size > 1 else 2 * lift
-    flight = min(2 * size, 1 + size)
-    for _ in range(_FLOAT_NEWTON_STEPS):
+
+    def step(flight):
         lost = -math.expm1(-flight)
-        step = (flight - lost - size * lost) / (lost - size * (1 - lost))
-        flight -= step
-        if abs(step) < 1e-9 * flight:
-            break
-    return number(flight)
+        return (flight - lost - size * lost) / (lost - size * (1 - lost))
+
+    return number(float_newton(step, min(2 * size, 1 + size)))
 
 
 def _flight(sine, v, g, k):
@@ -95,12 +91,6 @@ def _flight_time(theta, v, g, k):
     return (enclosure(_flight(sine, v, g, k) / number(k)),)
 
 
-def _lost_between(flight):
-    """1 - exp(-T) over an interval of T; it increases."""
-    low, high = (CONTEXT.make_mpf((end, end)) for end in flight._mpi_)
-    return CONTEXT.make_mpf((decay(low)[1]._mpi_[0], decay(high)[1]._mpi_[1]))
-
-
 def _horizontal_range(theta, v, g, k):
     """x at impact: v cos(theta) (1 - exp(-T))/k; 2 v**2 sin(theta) cos(theta)/g without resistance."""
     if theta == 0:
@@ -109,13 +99,13 @@ def _horizontal_range(theta, v, g, k):
     speed = number(v)
     if k == 0:
         return (enclosure(2 * speed * speed * sine * cosine / number(g)),)
-    return (enclosure(speed * cosine * _lost_between(_flight(sine, v, g, k)) / number(k)),)
+    return (enclosure(speed * cosine * decay(_flight(sine, v, g, k))[1] / number(k)),)
 
 
 def _flight_brackets(sine, v, g, k):
     """B = (k v/g) sin(theta), and exp(-T), 1 - exp(-T) and 1 - (1 + B) exp(-T) at the impact."""
     lift, flight = number(k) * number(v) * sine / number(g), _flight(sine, v, g, k)
-    fading, lost = exponential(-flight), _lost_between(flight)
+    fading, lost, _ = decay(flight)
     return lift, fading, lost, lost - lift * fading
 
 
@@ -160,32 +150,33 @@ def _stationarity(s):
 
 def _first_stationary_root(alpha):
     """A first guess at the s > 0 with 1 + (s - 1) e**s = alpha**2."""
-    size = to_float(alpha)
+    size = float(alpha)
     if size < 1e-5:
-        return alpha * CONTEXT.sqrt(number(2))
+        return alpha * square_root(number(2))
     if size > 3:  # (s - 1) + log(s - 1) = 2 log(alpha) - 1, up to alpha**-2
-        level = 2 * libmp.to_float(libmp.mpf_log(alpha.mid._mpi_[0], 60)) - 1
-        root = level if level > 1 else 1.0
-        for _ in range(_FLOAT_NEWTON_STEPS):
-            root -= (root + math.log(root) - level) / (1 + 1 / root)
+        level = 2 * float(logarithm(alpha)) - 1
+        root = float_newton(lambda x: (x + math.log(x) - level) / (1 + 1 / x), max(level, 1.0))
         return number(1 + root)
-    root = min(math.sqrt(2) * size, 1 + size)
-    for _ in range(_FLOAT_NEWTON_STEPS):
-        lost = -math.expm1(-root)
-        root -= ((root - lost) - size * size * (1 - lost)) / root
-    return number(root)
+    return number(
+        float_newton(lambda s: (s + math.expm1(-s) - size * size * math.exp(-s)) / s, min(2**0.5 * size, 1 + size))
+    )
 
 
-def _at_best_angle(alpha):
-    """sin(theta_max) = alpha/(e**s - 1), where 1 + (s - 1) e**s = alpha**2, and 1 - e**-s: dR/dtheta = 0 in s = k t."""
+def near_best_time(alpha):
+    """A close approximation of s = k t at the impact for the angle of Theorem 3: 1 + (s - 1) e**s = alpha**2."""
     square = alpha * alpha
 
     def balance(s):
         value, slope = _stationarity(s)
         return value - square, slope
 
-    s = proved_root(lambda s: _stationarity(s)[0], square, newton(balance, _first_stationary_root(alpha)))
-    lost = _lost_between(s)
+    return newton(balance, _first_stationary_root(alpha))
+
+
+def _at_best_angle(alpha):
+    """sin(theta_max) = alpha/(e**s - 1), where 1 + (s - 1) e**s = alpha**2, and 1 - e**-s: dR/dtheta = 0 in s = k t."""
+    s = proved_root(lambda s: _stationarity(s)[0], alpha * alpha, near_best_time(alpha))
+    lost = decay(s)[1]
     return alpha * exponential(-s) / lost, lost
 
 
@@ -195,15 +186,12 @@ def _max_range(v, g, k):
     if k == 0:
         return (enclosure(speed * speed / number(g)),)
     sine, lost = _at_best_angle(number(k) * speed / number(g))
-    return (enclosure(speed * CONTEXT.sqrt(1 - sine * sine) * lost / number(k)),)
+    return (enclosure(speed * square_root(1 - sine * sine) * lost / number(k)),)
 
 
 def _best_angle(alpha):
     """theta_max of Theorem 3."""
-    target = CONTEXT.sqrt(number(1) / 2) if alpha == 0 else _at_best_angle(number(alpha))[0]
-    middle = libmp.mpf_asin(target.mid._mpi_[0], CONTEXT.prec, libmp.round_nearest)
-    angle = CONTEXT.make_mpf((middle, middle))
-    return (enclosure(proved_root(lambda theta: sine_cosine(theta)[0], target, angle)),)
+    return (enclosure(arcsine(square_root(number(0.5)) if alpha == 0 else _at_best_angle(number(alpha))[0])),)
 
 
 EQUATIONS = {

@@ -1,4 +1,4 @@
-"""Certain references: each public function from its printed equation, by interval arithmetic on the exact float inputs.
+"""Certain references: each public function from its printed equation, by ball arithmetic on the exact float inputs.
 
 Nothing here uses the package's primitives, stable forms or emitted code. Implicit results (descent time, flight time,
 best angle) are roots of the printed equations, found by Newton's method and then proved by a change of sign.

@@ -3,7 +3,8 @@
 import datetime
 import os
 import sys
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+from itertools import islice
 from multiprocessing import get_context
 
 from . import certificate, report
@@ -17,6 +18,7 @@ from .selection import UnknownNameError, select_functions, select_strata
 DEFAULT_POINTS = 512
 DEFAULT_SEED = 2014
 _PROCESSES = 2
+_AHEAD = 3  # samples a process that are drawn or wait to be judged
 _WORTH_A_PROCESS = 4000  # points; below that a second process takes longer to start than it saves
 
 
@@ -27,10 +29,16 @@ def _samples(tasks, processes):
             yield position, take_sample(task)
         return
     with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
-        positions = {pool.submit(take_sample, task): position for position, task in enumerate(tasks)}
+        waiting, running = iter(enumerate(tasks)), {}
         try:
-            for done in as_completed(positions):
-                yield positions[done], done.result()
+            while True:
+                # no more than this at a time, so that samples cannot pile up
+                for position, task in islice(waiting, _AHEAD * processes - len(running)):
+                    running[pool.submit(take_sample, task)] = position
+                if not running:
+                    break
+                for done in wait(running, return_when=FIRST_COMPLETED).done:
+                    yield running.pop(done), done.result()
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise

@@ -3,7 +3,7 @@
 import math
 import random
 
-from mpmath import libmp
+from .enclosure import arctangent, number, sine_cosine, with_bits
 
 HALF_PI = math.pi / 2
 _ANGLE_BITS = 160
@@ -52,18 +52,17 @@ def step(value, ulps):
     return value
 
 
+@with_bits(_ANGLE_BITS)
 def critical_angle(mu):
     """The float nearest theta_max = arctan(1/mu), not above the float nearest pi/2."""
-    if mu == 0:
-        return HALF_PI
-    inverse = libmp.mpf_div(libmp.fone, libmp.from_float(mu), _ANGLE_BITS)
-    return min(libmp.to_float(libmp.mpf_atan(inverse, _ANGLE_BITS), rnd=libmp.round_nearest), HALF_PI)
+    return min(float(arctangent(1 / number(mu))), HALF_PI) if mu else HALF_PI
 
 
+@with_bits(_ANGLE_BITS)
 def critical_friction(theta):
     """The float nearest cot(theta), the coefficient of friction at which a bead on that chord just stays at rest."""
-    cosine, sine = libmp.mpf_cos_sin(libmp.from_float(theta), _ANGLE_BITS)
-    return libmp.to_float(libmp.mpf_div(cosine, sine, _ANGLE_BITS), rnd=libmp.round_nearest)
+    sine, cosine = sine_cosine(number(theta))
+    return float(cosine / sine)
 
 
 def grid_end(draw):

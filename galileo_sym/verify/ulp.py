@@ -4,7 +4,12 @@ import math
 from decimal import ROUND_CEILING, Context
 from typing import NamedTuple
 
-from mpmath import libmp
+from flint import arb
+
+from .enclosure import with_bits
+
+_BITS = 400
+_TWO = arb(2)
 
 
 class Format(NamedTuple):
@@ -29,37 +34,28 @@ BINARY64 = Format(53, -1074, 971)
 BINARY32 = Format(24, -149, 104)
 
 
-def ulp_exponent(raw, form=BINARY64):
-    """The e with 2**e = one unit in the last place of a number in mpmath's raw form.
+def ulp_exponent(size, form=BINARY64):
+    """The e with 2**e = one unit in the last place of a number, a point `size` >= 0.
 
     Below the normal range it is the smallest subnormal number, above the largest finite number the largest unit.
     """
-    if raw == libmp.fzero:
+    if size.is_zero():
         return form.lowest
-    return min(max(raw[2] + raw[3] - form.precision, form.lowest), form.highest)
+    mantissa, exponent = size.man_exp()
+    return int(min(max(mantissa.bit_length() + exponent - form.precision, form.lowest), form.highest))
 
 
-def _difference(measured, enclosure):
-    """The largest distance between a raw number and a point of an enclosure, exactly."""
-    low = libmp.mpf_abs(libmp.mpf_sub(measured, enclosure.low))
-    high = libmp.mpf_abs(libmp.mpf_sub(measured, enclosure.high))
-    return low if libmp.mpf_gt(low, high) else high
+def size_of(enclosure):
+    """The magnitude that sets the unit, a point: the smallest in the enclosure, or its scale."""
+    return enclosure.ball.abs_lower() if enclosure.scale is None else enclosure.scale
 
 
-def _least(enclosure):
-    """The smallest magnitude in an enclosure, in raw form."""
-    if libmp.mpf_sign(enclosure.low) * libmp.mpf_sign(enclosure.high) <= 0:
-        return libmp.fzero
-    low, high = libmp.mpf_abs(enclosure.low), libmp.mpf_abs(enclosure.high)
-    return high if libmp.mpf_lt(high, low) else low
+def _rounds_to_infinity(size, form):
+    """Whether the nearest number of the format to a magnitude, a point, is infinite."""
+    return size >= ((1 << (form.precision + 1)) - 1) * _TWO ** (form.highest - 1)
 
 
-def _rounds_to_infinity(raw, form):
-    """Whether the nearest number of the format to a raw magnitude is infinite."""
-    limit = libmp.from_man_exp((1 << (form.precision + 1)) - 1, form.highest - 1)
-    return libmp.mpf_ge(raw, limit)
-
-
+@with_bits(_BITS)
 def ulp_error(value, enclosure, form=BINARY64):
     """Upper bound of the error of `value` in ulps of the exact result.
 
@@ -81,36 +77,38 @@ def ulp_error(value, enclosure, form=BINARY64):
         does a number where there is no result.
     """
     value = float(value)
-    if enclosure.low == libmp.fnan:
+    ball = enclosure.ball
+    if ball.is_nan():
         return 0.0 if math.isnan(value) else math.inf
     if math.isnan(value):
         return math.inf
-    if enclosure.low in (libmp.finf, libmp.fninf):
-        return 0.0 if libmp.from_float(value) == enclosure.low else math.inf
-    least = _least(enclosure)
-    measured = libmp.from_float(value)
+    if not ball.is_finite():
+        return 0.0 if ball == value else math.inf
+    measured = arb(value)
     if math.isinf(value):
-        if (value > 0) != (libmp.mpf_sign(enclosure.low) > 0):
+        if not (ball > 0 if value > 0 else ball < 0):
             return math.inf
-        if _rounds_to_infinity(least, form):
+        if _rounds_to_infinity(ball.abs_lower(), form):
             return 0.0
-        measured = libmp.from_man_exp(1 if value > 0 else -1, form.highest + form.precision)
-    unit = ulp_exponent(least if enclosure.scale is None else enclosure.scale, form)
-    quotient = libmp.mpf_shift(_difference(measured, enclosure), -unit)
-    if quotient[2] + quotient[3] > 1023:
-        return math.inf
-    rounded = libmp.to_float(quotient, strict=True, rnd=libmp.round_down)
-    return rounded if libmp.from_float(rounded) == quotient else math.nextafter(rounded, math.inf)
+        measured = math.copysign(1.0, value) * _TWO ** (form.highest + form.precision)
+    unit = ulp_exponent(size_of(enclosure), form)
+    quotient = (measured - ball).abs_upper() * _TWO**-unit
+    rounded = float(quotient)
+    return math.nextafter(rounded, math.inf) if quotient > rounded else rounded
 
 
 def representable(enclosure, form=BINARY64):
     """Whether the exact result lies in the range of the format: not below its subnormals, not rounded to infinity."""
-    if enclosure.low == enclosure.high == libmp.fzero:
+    near, far = math.ldexp(1.0, form.lowest + 2), math.ldexp(1.0, form.highest + form.precision - 2)
+    return near < float(size_of(enclosure)) < far or _in_range(enclosure, form)
+
+
+@with_bits(_BITS)
+def _in_range(enclosure, form):
+    if enclosure.ball.is_zero() or not enclosure.ball.is_finite():
         return True
-    if enclosure.low in (libmp.finf, libmp.fnan):
-        return True
-    size = _least(enclosure) if enclosure.scale is None else enclosure.scale
-    return size != libmp.fzero and size[2] + size[3] > form.lowest and not _rounds_to_infinity(size, form)
+    size = size_of(enclosure)
+    return size >= _TWO**form.lowest and not _rounds_to_infinity(size, form)
 
 
 def rounded_up(error, digits=3):

@@ -263,4 +263,4 @@ def ulps(value, exact, scale=None, bits=53):
 def launch_angles(r, v, g, k=0.0):
     """Enclosed by a change of sign in the impact time: a search for the angles would take seconds."""
     enclosures = reference("projectile.launch_angles", {"r": r, "v": v, "g": g, "k": k})
-    return tuple(mp.make_mpf(e.low) for e in enclosures)
+    return tuple(mp.ldexp(*map(int, e.ball.mid().man_exp())) for e in enclosures)

@@ -2,6 +2,7 @@
 
 import pytest
 from mpmath import mp, mpf
+from verify_ends import ends
 
 from galileo_sym.verify.enclosure import nearest_float
 from galileo_sym.verify.reference import reference
@@ -31,7 +32,7 @@ def range_at(theta, v, g, k):
 
 
 def middle(enclosure):
-    low, high = mp.make_mpf(enclosure.low), mp.make_mpf(enclosure.high)
+    low, high = ends(enclosure)
     assert 0 <= high - low <= high * mpf(2) ** -90
     return (low + high) / 2
 
@@ -41,15 +42,17 @@ def middle(enclosure):
 def test_both_angles_have_the_range(shot, share):
     (largest,) = reference("projectile.max_range", shot)
     r = share * nearest_float(largest)
-    low, high = map(middle, reference("projectile.launch_angles", {"r": r, **shot}))
+    angles = reference("projectile.launch_angles", {"r": r, **shot})
+    low, high = map(middle, angles)
     alpha = mpf(shot["k"]) * mpf(shot["v"]) / mpf(shot["g"])
     best = mp.pi / 4
     if alpha:
         s = 1 + mp.lambertw((alpha**2 - 1) / mp.e).real
         best = mp.asin(alpha / mp.expm1(s))
     assert 0 < low < best < high < mp.pi / 2
-    for theta in (low, high):
-        assert abs(range_at(theta, **shot) / mpf(r) - 1) < mpf(2) ** -60
+    for angle, sign in zip(angles, (1, -1), strict=True):  # the range rises through r, and falls through it
+        below, above = (sign * (range_at(theta, **shot) - mpf(r)) for theta in ends(angle))
+        assert below < 0 < above
     assert abs(range_at(best, **shot) / middle(largest) - 1) < mpf(2) ** -85
 
 

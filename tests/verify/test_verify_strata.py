@@ -3,7 +3,8 @@
 import math
 
 import pytest
-from mpmath import libmp, mp, mpf
+from mpmath import mp, mpf
+from verify_ends import ends, exactly
 
 from galileo_sym.verify.enclosure import INFINITE, ZERO
 from galileo_sym.verify.functions import FUNCTIONS
@@ -24,7 +25,7 @@ def test_each_stratum_yields_points_inside_the_domain(place):
     sample = take_sample(Task(*place, 8, 1))
     function = FUNCTIONS[place[0]]
     lists = fixed_strata(function, place[1])
-    assert len(sample.references) == len(lists.get(place[2], range(8)))
+    assert sample.size == len(lists.get(place[2], range(8)))
     assert list(sample.arguments) == list(function.arguments(place[1]))
     for name, values in sample.arguments.items():
         assert all(map(math.isfinite, values))
@@ -64,7 +65,8 @@ def test_near_theta_max_is_within_64_places_and_reaches_both_sides():
     ("name", "still"), [("chord.descent_time", INFINITE), ("chord.distance", ZERO), ("chord.position", ZERO)]
 )
 def test_beads_at_rest_are_at_rest(name, still):
-    assert all(set(one) == {still} for one in sampled((name, "friction", "at-rest")).references)
+    sample = sampled((name, "friction", "at-rest"))
+    assert all(one == still for index in range(sample.size) for one in sample.references(index))
 
 
 def test_extreme_reaches_far():
@@ -87,9 +89,10 @@ def test_zero_drag_mixes_zeros_and_others():
 
 def test_near_landing_is_within_places_of_the_impact():
     sample = sampled(("projectile.position", "drag", "near-landing"))
-    for _, y in sample.references:
-        height = max(abs(mp.make_mpf(y.low)), abs(mp.make_mpf(y.high)))
-        assert height < mpf(2) ** -44 * mp.make_mpf(y.scale)
+    with mp.workprec(400):
+        for index in range(sample.size):
+            _, y = sample.references(index)
+            assert max(map(abs, ends(y))) < mpf(2) ** -44 * exactly(y.scale)
 
 
 def test_alpha_near_one():
@@ -139,7 +142,6 @@ def test_hex_round_trip():
     assert from_hex(as_hex(point)) == point
     with pytest.raises(ValueError, match="infinite"):
         from_hex({"k": "inf"})
-    assert libmp.from_float(float.fromhex(as_hex(point)["theta"])) == libmp.from_float(0.1)
 
 
 def test_every_kernel_has_the_strata_that_its_arguments_allow():

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from mpmath import libmp
+from flint import arb, ctx
 
 from galileo_sym.verify.enclosure import INFINITE, ZERO, Enclosure
 from galileo_sym.verify.ulp import BINARY32, BINARY64, representable, rounded_up, ulp_error
@@ -15,12 +15,18 @@ MAX = float(np.finfo(np.float64).max)
 
 
 def exactly(man, exp=0, scale=None):
-    raw = libmp.from_man_exp(man, exp)
-    return Enclosure(raw, raw, scale)
+    return Enclosure(ball(man, man, exp), scale)
+
+
+def ball(low, high, exp=0):
+    """The ball between two dyadic numbers, exactly."""
+    with ctx.workprec(4000):
+        middle, radius = (arb(low) + high) / 2, (arb(high) - low) / 2
+        return (arb(middle, radius) if low < high else middle) * arb(2) ** exp
 
 
 def between(low, high):
-    return Enclosure(libmp.from_float(low), libmp.from_float(high))
+    return Enclosure(ball(low, high))
 
 
 @pytest.mark.parametrize(
@@ -68,9 +74,10 @@ def test_binary32():
 
 
 def test_upper_bound_over_the_enclosure():
-    assert ulp_error(1.0, between(1.0, 1.0 + 2.0**-51)) == 2.0
+    # a radius is rounded up to 30 bits
+    assert 8.0 <= ulp_error(1.0, between(1.0 + 2.0**-51, 1.0 + 2.0**-49)) < 8.0 * (1 + 2.0**-27)
     # an enclosure across a binade boundary: the smaller unit counts
-    assert ulp_error(1.0, between(1.0 - 2.0**-53, 1.0 + 2.0**-52)) == 2.0
+    assert 2.0 <= ulp_error(1.0, between(1.0 - 2.0**-53, 1.0 + 2.0**-52)) < 2.0 * (1 + 2.0**-27)
     assert ulp_error(1.0, between(-1.0, 1.0)) == math.inf
 
 
@@ -82,8 +89,8 @@ def test_never_rounds_down():
 
 
 def test_scale_replaces_the_unit():
-    assert ulp_error(2.0**-52, Enclosure(libmp.fzero, libmp.fzero, libmp.fone)) == 1.0
-    assert ulp_error(2.0**-52, Enclosure(libmp.fzero, libmp.fzero, libmp.from_int(8))) == 0.125
+    assert ulp_error(2.0**-52, Enclosure(arb(0), arb(1))) == 1.0
+    assert ulp_error(2.0**-52, Enclosure(arb(0), arb(8))) == 0.125
 
 
 @pytest.mark.parametrize(
@@ -95,8 +102,8 @@ def test_scale_replaces_the_unit():
         (exactly(1, -1075), False),
         (exactly(1, 1023), True),
         (exactly(1, 1024), False),
-        (Enclosure(libmp.fzero, libmp.fzero, libmp.fzero), True),
-        (Enclosure(libmp.from_int(-1), libmp.fone, libmp.from_man_exp(1, 1024)), False),
+        (Enclosure(arb(0), arb(0)), True),
+        (Enclosure(ball(-1, 1), arb(2) ** 1024), False),
     ],
 )
 def test_representable(exact, holds):

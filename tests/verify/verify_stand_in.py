@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from mpmath import libmp
 
+from galileo_sym.verify.enclosure import nearest_float
 from galileo_sym.verify.reference import reference
 
 
@@ -20,7 +20,7 @@ class Rounded:
         rows = []
         for values in zip(*(arguments[name].tolist() for name in names), strict=True):
             results = reference(function.full_name, dict(zip(names, values, strict=True)) | absent)
-            rows.append([libmp.to_float(one.low, rnd=libmp.round_nearest) for one in results])
+            rows.append([nearest_float(one) for one in results])
         return tuple(np.array(column) for column in zip(*rows, strict=True))
 
 
