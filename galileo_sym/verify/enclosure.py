@@ -178,6 +178,8 @@ def proved_root(function, target, near, falling=False):
     """
     part = (8 * target.rad() / target + number(2) ** (-32 - ctx.prec // 2)).mid()
     bottom, top = (near * (1 - part)).mid(), (near * (1 + part)).mid()
+    if not bottom > 0:
+        raise Undecided("the target is too wide")
     below, above = (top, bottom) if falling else (bottom, top)
     if not function(below) < target:
         raise Undecided("no sign at the end of the bracket below the target")
@@ -196,8 +198,8 @@ def _is_certain(result):
     if result is ABSENT or result is INFINITE:
         return True
     ball, scale = result
-    if ball.rel_accuracy_bits() > CERTAIN_BITS + 2:  # which rounds exponents
-        return True
+    if ball.rel_accuracy_bits() > CERTAIN_BITS + 2:  # which rounds exponents, and takes an infinity for accurate
+        return ball.is_finite()
     if scale is not None:
         return ball.rad() < scale * 2.0 ** -(CERTAIN_BITS + 1)
     return ball.abs_upper() < _BELOW_ALL_FORMATS

@@ -7,7 +7,17 @@ from flint import ctx
 from mpmath import mp, mpf
 from verify_ends import ball_ends, ends, exactly
 
-from galileo_sym.verify.enclosure import INFINITE, ZERO, Undecided, certain, decay, nearest_float, number, proved_root
+from galileo_sym.verify.enclosure import (
+    INFINITE,
+    ZERO,
+    Enclosure,
+    Undecided,
+    certain,
+    decay,
+    nearest_float,
+    number,
+    proved_root,
+)
 from galileo_sym.verify.fixed_points import KNOWN_HARD
 from galileo_sym.verify.functions import FUNCTIONS
 from galileo_sym.verify.reference import reference
@@ -268,6 +278,18 @@ def test_a_bracket_without_the_root_is_refused():
             proved_root(lambda x: x * x, number(2), number(near))
         with pytest.raises(Undecided):
             proved_root(lambda x: 4 / (x * x), number(2), number(near), falling=True)
+
+
+def test_a_target_about_zero_is_refused():
+    with pytest.raises(Undecided, match="too wide"):
+        proved_root(lambda x: x * x, number(2, 0.5), number(1.4))
+
+
+@pytest.mark.parametrize("ball", [number.pos_inf(), number.nan(), number(1, 1), number(2.0**-1070, 2.0**-1070)])
+def test_balls_that_hold_little_are_no_references(ball):
+    """An infinity and NaN are results only where the equations say so."""
+    with pytest.raises(ArithmeticError, match="singular"):
+        certain(lambda: (Enclosure(ball),))
 
 
 def test_what_cannot_be_settled_is_an_error():
