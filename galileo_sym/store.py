@@ -17,12 +17,17 @@ FOLDER = "GALILEO_SYM_CACHE"  # environment variable: another folder
 FORGET = 90 * 24 * 3600  # seconds after which what nobody asked for goes
 
 
+def cache_folder() -> Path:
+    """Where the package keeps what it need not make again: GALILEO_SYM_CACHE, else the user's cache folder."""
+    folder = os.environ.get(FOLDER)
+    return Path(folder) if folder else user_cache_path("galileo-sym")
+
+
 class Store:
     """A table of JSON values by key. If its file cannot be used it says so once, and keeps nothing."""
 
     def __init__(self):
-        folder = os.environ.get(FOLDER)
-        self.path = (Path(folder) if folder else user_cache_path("galileo-sym")) / "findings.sqlite"
+        self.path = cache_folder() / "findings.sqlite"
         self._works = True
 
     def get(self, keys: Iterable[str]) -> dict:

@@ -20,11 +20,11 @@ from pathlib import Path
 import numpy as np
 
 from galileo_sym.codegen.kernels import TARGETS
+from galileo_sym.libraries import compile_library, find_compiler
 from galileo_sym.primitives.approximations import APPROXIMATIONS
 from galileo_sym.primitives.kernels import BANKED, KERNELS
 from galileo_sym.primitives.lines import near_lines
 from galileo_sym.verify.back_ends import generated_folder
-from galileo_sym.verify.native import compile_library, find_compiler
 
 LATENCY = """#include "galileo.h"
 double gs_latency(double (*f)(double), double x, long count);

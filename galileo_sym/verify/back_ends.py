@@ -5,7 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from .native import NativeLibrary, NoCompilerError
+from galileo_sym.libraries import NoCompilerError
+
+from .native import NativeLibrary
 
 
 class NumpyFunctions:

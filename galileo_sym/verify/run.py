@@ -7,11 +7,12 @@ from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 from itertools import islice
 from multiprocessing import get_context
 
+from galileo_sym.libraries import CompilationError
+
 from . import certificate, report
 from .back_ends import NumpyFunctions, available_back_ends, generated_folder
 from .judge import compare, judge
 from .measure import Task, VacuousStratumError, take_sample
-from .native import CompilationError
 from .renewal import RefusedUpdateError, renew, require_sound_update
 from .selection import UnknownNameError, select_functions, select_strata
 

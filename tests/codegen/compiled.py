@@ -3,18 +3,16 @@
 import ctypes
 import os
 import shutil
-import subprocess
 from functools import cache
 from pathlib import Path
-from tempfile import mkdtemp
 
 import numpy as np
 import pytest
 
 import galileo_sym.generated
+from galileo_sym.libraries import FLAGS, kept_library
 
 SOURCES = Path(galileo_sym.generated.__file__).parent / "c"
-FLAGS = ["-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 
 
 def compilers():
@@ -33,10 +31,13 @@ def library(compiler=None):
     found = compilers()
     if not found:
         pytest.skip("no C compiler on PATH: the C back end is not tested")
-    target = Path(mkdtemp(prefix="galileo")) / "libgalileo.so"
-    sources = sorted(map(str, SOURCES.glob("*.c")))
-    subprocess.run([compiler or found[0], *FLAGS, "-shared", *sources, "-o", str(target), "-lm"], check=True)
-    return ctypes.CDLL(str(target))
+    return ctypes.CDLL(str(place(compiler or found[0])))
+
+
+@cache
+def place(compiler, level="-O2", pattern="*.c"):
+    """Where the library is that a compiler makes of the emitted C; warnings are errors."""
+    return kept_library(sorted(SOURCES.glob(pattern)), [compiler], [level if flag == "-O2" else flag for flag in FLAGS])
 
 
 def call(name, arguments, outputs, dtype=np.float64):

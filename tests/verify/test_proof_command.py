@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from kernels_of_one import EMITTED, KERNELS, kernels_of, spoiled
 
-from galileo_sym.verify.native import NativeLibrary, NoCompilerError, find_compiler
+from galileo_sym.libraries import NoCompilerError, find_compiler
+from galileo_sym.verify.native import NativeLibrary
 from galileo_sym.verify.proof import command, table
 from galileo_sym.verify.proof.bounds import Proved, prove
 from galileo_sym.verify.proof.dispatch import primitives

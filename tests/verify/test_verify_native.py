@@ -5,9 +5,10 @@ import os
 import numpy as np
 import pytest
 
+from galileo_sym.libraries import CompilationError, NoCompilerError, find_compiler
 from galileo_sym.verify import back_ends
 from galileo_sym.verify.functions import FUNCTIONS
-from galileo_sym.verify.native import CompilationError, NativeLibrary, NoCompilerError, c_symbol, find_compiler
+from galileo_sym.verify.native import NativeLibrary, c_symbol
 from galileo_sym.verify.run import run
 
 CIRCLE = """

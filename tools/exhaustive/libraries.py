@@ -2,12 +2,11 @@
 
 import ctypes
 import hashlib
-import subprocess
 from functools import cache
 from pathlib import Path
 
 from galileo_sym.codegen.kernels import TARGETS
-from galileo_sym.verify.native import FLAGS, CompilationError, find_compiler
+from galileo_sym.libraries import FLAGS, compile_library, find_compiler
 
 HERE = Path(__file__).resolve().parent
 LISTED, LANES = 4096, 256  # as in judge.h and reference.h
@@ -29,23 +28,17 @@ class Report(ctypes.Structure):
         return list(getattr(self, f"{kind}_inputs")[: min(getattr(self, kind), LISTED)])
 
 
-def _compile(sources, target, compiler, flags):
-    command = [*compiler, *flags, *map(str, sources), "-o", str(target), "-lm"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise CompilationError(f"{' '.join(command)} exits with {done.returncode}:\n{done.stderr}")
-    return target
-
-
 def compile_tested(folder, target, compiler=None):
     """Compile the emitted primitives, with the flags of the back end."""
-    return _compile(sorted(Path(folder).glob("special*.c")), target, compiler or find_compiler(), FLAGS)
+    compile_library(sorted(Path(folder).glob("special*.c")), target, compiler or find_compiler())
+    return target
 
 
 def compile_reference(target, shift=None):
     """Compile the reference, the judge and the search; `shift` makes every reference value wrong by that much."""
     flags = [*FLAGS, *REFERENCE_FLAGS, *([f"-DREFERENCE_SHIFT={shift.hex()}"] if shift else [])]
-    return _compile(sorted(HERE.glob("*.c")), target, find_compiler(), flags)
+    compile_library(sorted(HERE.glob("*.c")), target, find_compiler(), flags)
+    return target
 
 
 def reference_digest():

@@ -5,7 +5,8 @@ import hashlib
 import sys
 
 from galileo_sym.files import write_whole
-from galileo_sym.verify.native import CompilationError, NativeLibrary, NoCompilerError
+from galileo_sym.libraries import CompilationError, NoCompilerError
+from galileo_sym.verify.native import NativeLibrary
 
 from . import table
 from .approximation import Unproved as UnprovedApproximation
