@@ -152,6 +152,7 @@ def test_show_tells_the_steps(capsys):
         assert words in out
 
 
+@pytest.mark.xdist_group("projectile")  # whose results are what is emitted
 def test_emit_check_finds_a_changed_file(capsys, tmp_path):
     copy = tmp_path / "generated"
     shutil.copytree(ROOT / "generated", copy, ignore=shutil.ignore_patterns("__pycache__"))

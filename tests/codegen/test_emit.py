@@ -13,6 +13,8 @@ from galileo_sym.catalogue import FUNCTIONS
 from galileo_sym.codegen import emit as emission
 from galileo_sym.codegen.emit import WrongVersion, build, check, default_directory, emit
 
+pytestmark = pytest.mark.xdist_group("projectile")  # whose results are what is emitted
+
 _DIGEST = (
     "import hashlib; from galileo_sym.codegen.emit import build;"
     "print(hashlib.sha256(repr(sorted(build().items())).encode()).hexdigest())"

@@ -9,7 +9,7 @@ import sympy as sp
 from galileo_sym.derivations.projectile.notation import H, StationaryAngle, Theta, alpha, alpha_0, n, w
 from galileo_sym.ledger import Continuous, Kind, PowerSeries, StrictlyDecreasing
 
-pytestmark = pytest.mark.xdist_group("best angle")
+pytestmark = pytest.mark.xdist_group("projectile")
 
 
 @functools.lru_cache

@@ -9,7 +9,7 @@ from galileo_sym.derivations.beyond.notation import rho, x_e, y_e, z
 from galileo_sym.derivations.projectile.notation import R, alpha, g, k, s, theta, v
 from galileo_sym.ledger import Kind, StrictlyDecreasing, StrictlyIncreasing, UniqueMaximum, tell
 
-pytestmark = pytest.mark.xdist_group("beyond: inverse range and envelope")
+pytestmark = pytest.mark.xdist_group("projectile")
 
 SHOTS = {
     "moderate": (9.81, 50.0, 0.5),

@@ -12,7 +12,7 @@ from galileo_sym.ledger.local import HoldsBeside
 from galileo_sym.ledger.numeric import holds
 from galileo_sym.tactics import entire_series, modus_ponens, said_of
 
-pytestmark = pytest.mark.xdist_group("limit theorem")
+pytestmark = pytest.mark.xdist_group("projectile")
 
 # f, the place of its extremum, and its order there
 FUNCTIONS = {

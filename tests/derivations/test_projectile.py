@@ -7,8 +7,10 @@ from sympy import E, Eq, LambertW, Ne, Piecewise, asin, exp
 from galileo_sym.ledger import Kind, Ledger, tell
 from galileo_sym.ledger.inventory import inventory
 
-LEDGER = Ledger.load()
-IDS = [entry.id for entry in LEDGER.select(["projectile"])]
+pytestmark = pytest.mark.xdist_group("projectile")  # what one entry derives, the next need not
+
+ENTRIES = {entry.id: entry for entry in Ledger.load().select(["projectile"])}
+IDS = list(ENTRIES)
 
 a, b, c, d, t = sp.symbols("a b c d t")
 alpha, theta_max = sp.symbols("alpha theta_max")
@@ -22,14 +24,14 @@ def _sound(entry):
 
 
 @pytest.mark.parametrize("identifier", IDS)
-def test_entry_is_proved(identifier):
-    entry = LEDGER[identifier]
+def test_entry_is_proved(ledger, identifier):
+    entry = ledger[identifier]
     assert _sound(entry), tell(entry)
 
 
-@pytest.mark.parametrize("identifier", [i for i in IDS if LEDGER[i].declaration.item.errata])
-def test_erratum_is_recorded_and_the_print_refuted(identifier):
-    entry = LEDGER[identifier]
+@pytest.mark.parametrize("identifier", [i for i in IDS if ENTRIES[i].declaration.item.errata])
+def test_erratum_is_recorded_and_the_print_refuted(ledger, identifier):
+    entry = ledger[identifier]
     assert entry.erratum is not None
     assert entry.erratum.ids == entry.declaration.item.errata
     if entry.erratum.printed is not None:
@@ -38,8 +40,8 @@ def test_erratum_is_recorded_and_the_print_refuted(identifier):
 
 
 @pytest.mark.parametrize("identifier", ["projectile.res3", "projectile.thm3", "projectile.impact.time"])
-def test_steps_are_told(identifier):
-    assert len(LEDGER[identifier].steps) >= 3
+def test_steps_are_told(ledger, identifier):
+    assert len(ledger[identifier].steps) >= 3
 
 
 def test_every_other_statement_of_the_paper_is_there():
@@ -87,18 +89,18 @@ FALSE = {
 
 
 @pytest.mark.parametrize(("identifier", "statement"), SAME.values(), ids=SAME)
-def test_rearranged_statement_is_proved(identifier, statement):
-    assert LEDGER[identifier].compare(statement).kind is Kind.PROVED
+def test_rearranged_statement_is_proved(ledger, identifier, statement):
+    assert ledger[identifier].compare(statement).kind is Kind.PROVED
 
 
 @pytest.mark.parametrize(("identifier", "statement"), FALSE.values(), ids=FALSE)
-def test_false_variant_is_refuted_with_a_counterexample(identifier, statement):
-    verdict = LEDGER[identifier].compare(statement)
+def test_false_variant_is_refuted_with_a_counterexample(ledger, identifier, statement):
+    verdict = ledger[identifier].compare(statement)
     assert verdict.kind is Kind.REFUTED
     assert verdict.counterexample
 
 
-def test_second_root_of_result_3_is_told():
-    told = [step.statement for step in LEDGER["projectile.res3"].steps]
+def test_second_root_of_result_3_is_told(ledger):
+    told = [step.statement for step in ledger["projectile.res3"].steps]
     roots = [s for s in told if isinstance(s, sp.Implies) and any(len(w.args) == 2 for w in s.atoms(LambertW))]
     assert len(roots) == 1

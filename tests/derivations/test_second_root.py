@@ -11,7 +11,7 @@ from galileo_sym.derivations.beyond.chord_notation import t_minus
 from galileo_sym.ledger import Domain, Kind, Ledger, tell
 from galileo_sym.ledger.check import counterexample
 
-pytestmark = pytest.mark.xdist_group("second root")
+pytestmark = pytest.mark.xdist_group("projectile")
 
 IDS = [e.id for e in Ledger.load().select(["beyond.real_roots", "beyond.second_root"])]
 

@@ -7,7 +7,7 @@ from mpmath import mp
 
 from galileo_sym.ledger import Kind, Ledger, tell
 
-pytestmark = pytest.mark.xdist_group("slopes and hills")
+pytestmark = pytest.mark.xdist_group("projectile")
 
 CHAPTERS = ["beyond.slopes", "beyond.hills", "beyond.pure_flight", "beyond.pure_descent"]
 IDS = [e.id for e in Ledger.load().select(CHAPTERS)]

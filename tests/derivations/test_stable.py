@@ -6,7 +6,7 @@ import sympy as sp
 from galileo_sym.catalogue import FUNCTIONS
 from galileo_sym.ledger import Kind, Ledger, tell
 
-pytestmark = pytest.mark.xdist_group("stable")
+pytestmark = pytest.mark.xdist_group("projectile")
 
 STABLE = [e.id for e in Ledger.load().select(["stable"])]
 
