@@ -37,12 +37,6 @@ def _fall(t, g, gamma):
     return number(g) * decay(rate * number(t))[2] / (rate * rate)
 
 
-def _lag(tau):
-    """tau - 1 + exp(-tau), increasing, and its derivative."""
-    _, lost, lag = decay(tau)
-    return lag, lost
-
-
 def _first_lag_root(target):
     """A first guess at the tau > 0 with tau - 1 + exp(-tau) = target, good to some 1e-8."""
     size = float(target)
@@ -70,7 +64,12 @@ def _descent_time(theta, diameter, g, mu, gamma):
         return (enclosure(square_root(2 * length)),)
     rate = number(gamma)
     target = rate * rate * length
-    near = newton(lambda tau: (_lag(tau)[0] - target, _lag(tau)[1]), _first_lag_root(target))
+
+    def balance(tau):
+        _, lost, lag = decay(tau)
+        return lag - target, lost
+
+    near = newton(balance, _first_lag_root(target))
     return (enclosure(proved_root(lambda tau: decay(tau)[2], target, near) / rate),)
 
 

@@ -26,6 +26,8 @@ from .enclosure import (
 
 _NEAR = 1e-6  # below it the first guess is the leading term of the power series
 _FAR = 1e15  # above it that of the asymptotic one
+_SMALL = -6.0  # logarithm of the |x| below which W0 is found from x itself
+_NEGLIGIBLE = -1e9  # and below which W0 counts for nothing beside any number of the equation
 
 
 def _root(value_and_slope, target, guess):
@@ -65,6 +67,23 @@ def _principal_offset(level):
     return _root(spared(balance), level, guess)
 
 
+def _small(size, sign):
+    """W0 of x = sign size from w exp(w) = x itself, which increases with |w| below 1; 0 < size < 2**-8."""
+
+    def balance(w):
+        growth = exponential(w if sign > 0 else -w)
+        return w * growth, (1 + sign * w) * growth
+
+    return sign * _root(balance, size, size)
+
+
+def _principal(exponent, sign):
+    """W0 of x = sign exp(exponent), which is above -1/e and below e."""
+    if _NEGLIGIBLE < float(exponent) < _SMALL:
+        return _small(exponential(exponent), sign)
+    return _principal_offset(1 + sign * exponential(1 + exponent)) - 1
+
+
 def _lower_offset(distance):
     """s = -1 - W-1 > 0 from s - log(1 + s) = distance > 0."""
     size = float(distance)
@@ -93,6 +112,8 @@ def w0(x):
         return (ZERO,)
     if x > math.e:
         return (enclosure(_by_logarithm(logarithm(number(x)))),)
+    if abs(x) < math.exp(_SMALL):
+        return (enclosure(_small(number(abs(x)), 1 if x > 0 else -1)),)
     level = 1 + exponential(number(1)) * number(x)
     _is_positive(level)
     return (enclosure(_principal_offset(level) - 1),)
@@ -127,22 +148,18 @@ def linear_exponential_roots(a, b, c, d):
     exponent = logarithm(number(abs(kappa))) - number(beta)  # of |x|
     zero_is_a_root = b == -c
     if kappa > 0:
-        if float(exponent) > 1:
-            w = _by_logarithm(exponent)
-        else:
-            w = _principal_offset(1 + exponential(1 + exponent)) - 1
+        w = _by_logarithm(exponent) if float(exponent) > 1 else _principal(exponent, 1)
         return (ZERO if zero_is_a_root else enclosure((-number(beta) - w) / number(d)), ABSENT)
     distance = -1 - exponent
     if not _is_positive(distance):
         return (ABSENT, ABSENT)
-    rest = 1 - number(beta)
     if zero_is_a_root and kappa >= -1:
         first = ZERO
     else:
-        first = enclosure((rest - _principal_offset(1 - exponential(-distance))) / number(d))
+        first = enclosure((-number(beta) - _principal(exponent, -1)) / number(d))
     if zero_is_a_root and kappa <= -1:
         return (first, ZERO)
-    return (first, enclosure((rest + _lower_offset(distance)) / number(d)))
+    return (first, enclosure((1 - number(beta) + _lower_offset(distance)) / number(d)))
 
 
 EQUATIONS = {

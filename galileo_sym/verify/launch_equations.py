@@ -39,16 +39,16 @@ def _derivatives(time, lift):
     return value, lost * (fading - lag * weight), fading * (fading - lost - lag * weight) - lost * lost * weight
 
 
-def _near(lift, pull, low):
+def _near(lift, pull, best, low):
     """A close approximation (no proof) of the impact time of the low or the high shot.
 
-    From the time of the largest range, steps to the root of the parabola with the same value and derivatives, which
-    settle fast also where the roots run together; from the time of a shot that does not fall where that leads astray.
+    From the time of the largest range, `best`, steps to the root of the parabola with the same value and derivatives,
+    which settle fast also where the roots run together; from the time of a shot that does not fall where that leads
+    astray.
     """
     target = pull * pull / 2
-    best = near_best_time(lift)
     bottom, top = (-(-pull).log1p(), best) if low else (best, 2 + 2 * lift)
-    settled = number(2) ** -(ctx.prec // 2)
+    settled = number(2) ** (-2 * ctx.prec // 5)  # the next error goes with the third power
     x = best
     for _ in range(_STEPS):
         value, slope, curvature = _derivatives(x, lift)
@@ -67,16 +67,16 @@ def _near(lift, pull, low):
     raise Undecided("the steps to the impact did not settle")
 
 
-def _impact(lift, pull, low):
+def _impact(lift, pull, best, low):
     """Enclosure of the impact time of the low or the high shot, with lift = k v/g and pull = k r/v."""
-    return proved_root(lambda time: _square(time, lift), pull * pull, _near(lift, pull, low), falling=not low)
+    return proved_root(lambda time: _square(time, lift), pull * pull, _near(lift, pull, best, low), falling=not low)
 
 
 def _with_resistance(r, v, g, k):
     lift, pull = number(k) * number(v) / number(g), number(k) * number(r) / number(v)
-    angles = []
+    best, angles = near_best_time(lift), []
     for low in (True, False):
-        time = _impact(lift, pull, low)
+        time = _impact(lift, pull, best, low)
         angle = arctangent(increasing(lambda time: decay(time)[2], time) / (lift * pull))
         angles.append(enclosure(angle, _unit(angle, time.lower(), lift, pull)))
     return tuple(angles)

@@ -34,7 +34,7 @@ def reference(function, arguments):
     KeyError
         For a function without a reference.
     ArithmeticError
-        If 65536 bits do not settle the result.
+        If 40960 bits do not settle the result.
     """
     equation = EQUATIONS[function]
     return certain(lambda: equation(**arguments))

@@ -119,6 +119,31 @@ def test_best_angle_is_theorem_3(alpha):
     assert holds(reference("projectile.best_angle", {"alpha": alpha})[0], mp.asin(sine))
 
 
+W_CASES = [-5e-324, -1e-300, -0.00247, -0.00248, -0.1, -0.3, -0.3678794411714423]
+
+
+@pytest.mark.parametrize("x", [*W_CASES, 5e-324, 1e-300, 0.00247, 0.00248, 0.3, 2.7, math.e, 2.72, 1e10, 1e308])
+def test_w_is_lambert_w(x):
+    assert holds(reference("lambert.w0", {"x": x})[0], mp.lambertw(mpf(x)).real)
+    if x < 0:
+        assert holds(reference("lambert.wm1", {"x": x})[0], mp.lambertw(mpf(x), -1).real)
+
+
+@pytest.mark.parametrize("c", [1e-300, 0.002, -0.002, 0.3, -0.3, 1e10])
+@pytest.mark.parametrize("b", [-1e3, -2.0, 0.0, 1e-9, 0.5, 7.0, 1e3, 1e12])
+def test_roots_solve_the_equation(b, c):
+    """Of 1.5 t + b + c exp(-0.75 t), by result (3)."""
+    rate = mpf(-0.5)
+    first, second = reference("lambert.linear_exponential_roots", {"a": 1.5, "b": b, "c": c, "d": -0.75})
+    x = c * rate * mp.exp(-b * rate)
+    for root, branch in ((first, 0), (second, -1)):
+        w = mp.lambertw(x, branch)
+        if root.ball.is_nan():
+            assert mp.im(w) != 0 or not mp.isfinite(w)
+        else:
+            assert holds(root, -mpf(b) / 1.5 + w.real / mpf(0.75))
+
+
 @pytest.mark.parametrize("alpha", [0.25, 1.0, 4.0])
 def test_best_angle_maximises_the_range(alpha):
     """The printed range at theta_max exceeds that at either side; no stationarity condition is used."""
