@@ -62,8 +62,9 @@ class Function:
 
     ``positional`` and ``keywords`` are argument names; ``variants`` maps each force set to its force arguments and its
     printed equations (ledger ids). ``routine`` names the function (template.function) that evaluates the whole stable
-    form, where that is a matter of cases (an equation to be solved is one of ``solvers``). ``domains`` gives the
-    arguments whose domain is not that of the table.
+    form, where that is a matter of cases (an equation to be solved is one of ``solvers``). ``primitive`` names the
+    one-variable function that is the whole stable form: its kernels serve. ``domains`` gives the arguments whose domain
+    is not that of the table.
     """
 
     paper: str
@@ -75,6 +76,7 @@ class Function:
     outputs: tuple
     accuracy: str = WITHIN_1
     routine: str | None = None
+    primitive: str | None = None
     domains: dict = field(default_factory=dict)
     ceiling: Ceiling | None = None
 
@@ -331,8 +333,7 @@ _TABLE = (
         (),
         {"": ((), ("projectile.res1",))},
         (Output("w", "1", "W0(x), >= -1"),),
-        _ROOTS_WITHIN_1,
-        routine="branches.w0",
+        primitive="w0",
     ),
     Function(
         "lambert",
@@ -342,8 +343,7 @@ _TABLE = (
         (),
         {"": ((), ("projectile.def.W",))},
         (Output("w", "1", "W-1(x), <= -1"),),
-        _ROOTS_WITHIN_1,
-        routine="branches.wm1",
+        primitive="wm1",
         domains={"x": "lower branch"},
     ),
     Function(

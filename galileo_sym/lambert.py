@@ -37,9 +37,8 @@ def w0(x, out=None, where=True, dtype=None, casting="same_kind"):
 
     Notes
     -----
-    Result (1) of the projectile paper, as x exp(-W0) in the variable sqrt(2 (1 + e x)), which is regular at the branch
-    point and at 0; from 1 on by w + log(w) = log(x); then a Newton step in pairs of doubles. Claimed bound: 1 ulp (0.51
-    at every point sampled).
+    Result (1) of the projectile paper; the primitive `galileo_sym.special.w0`, whose float32 results are correctly
+    rounded. Claimed bound: 1 ulp (0.51 at every point sampled).
 
     Examples
     --------
@@ -71,8 +70,8 @@ def wm1(x, out=None, where=True, dtype=None, casting="same_kind"):
 
     Notes
     -----
-    The other real branch of result (1) of the projectile paper, as -1 - s with s - log(1 + s) = -1 - log(-x) and a
-    Newton step in pairs of doubles. Claimed bound: 1 ulp (0.51 at every point sampled).
+    The other real branch of result (1) of the projectile paper; the primitive `galileo_sym.special.wm1`, whose float32
+    results are correctly rounded. Claimed bound: 1 ulp (0.51 at every point sampled).
 
     Examples
     --------

@@ -10,7 +10,6 @@ from ._scaled import (
     div,
     fast_two_sum,
     mul,
-    neg,
     pair_add,
     pair_mul,
     plain,
@@ -92,8 +91,3 @@ def logarithm(a):
     finite = select(k == 0, near, add(Scaled(hi, lo, np.zeros_like(k)), near))
     infinite = Scaled(np.copysign(0.5, x), 0.0 * x, np.full_like(k, _LOG_OF_INFINITE))
     return select(np.abs(k) == 2**18, infinite, finite)
-
-
-def minus_one(a):
-    """a - 1."""
-    return add(a, neg(constant(1.0)))

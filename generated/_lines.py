@@ -9,7 +9,7 @@ from math import inf
 
 import numpy as np
 
-from ._kernel import quiet, raise_invalid
+from ._kernel import quiet, raise_divide, raise_invalid
 
 _HIGH = np.int64(-(1 << 27))  # the bits of a double but the last 27 of its fraction
 
@@ -98,12 +98,14 @@ def _serve(forms, good, m, signs, evaluate):
 
 
 def single(primitive, x):
-    """A primitive of x, as its double and the rest; NaN and 'invalid' beyond its domain."""
+    """A primitive of x, as its double and the rest; NaN and 'invalid' beyond its domain, 'divide by zero' at a pole."""
     x = np.asarray(x, dtype=np.float64)
     lower, upper = primitive["domain"]
     good = (x >= lower) & (x <= upper)
     if np.any(~good & ~np.isnan(x)):
         raise_invalid()
+    if primitive["pole"] is not None and np.any(x == primitive["pole"]):
+        raise_divide()
     m = np.abs(x) if primitive["parity"] else x
     signs = x if primitive["parity"] == "odd" else None
     return _serve(primitive["forms"], good, m, signs, lambda form, here: form[2](m[here]))

@@ -2244,6 +2244,7 @@ _PHI1M = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 26.25, _phi1m_0, _phi1m_0_pair),
         (26.25, 446.25, _phi1m_1, _phi1m_1_pair),
@@ -2355,6 +2356,7 @@ _PHI2M = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 26.25, _phi2m_0, _phi2m_0_pair),
         (26.25, 446.25, _phi2m_1, _phi2m_1_pair),
@@ -2450,6 +2452,7 @@ _DESCENT_FACTOR = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 9.375, _descent_factor_0, _descent_factor_0_pair),
         (9.375, inf, _descent_factor_1, _descent_factor_1_pair),
@@ -2543,6 +2546,7 @@ _FLIGHT_FACTOR = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 15.0, _flight_factor_0, _flight_factor_0_pair),
         (15.0, 255.0, _flight_factor_1, _flight_factor_1_pair),
@@ -2626,6 +2630,7 @@ _RANGE_FACTOR = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 7.5, _range_factor_0, _range_factor_0_pair),
         (7.5, 127.5, _range_factor_1, _range_factor_1_pair),
@@ -2948,6 +2953,7 @@ _BEST_SINE = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 15.0, _best_sine_0, _best_sine_0_pair),
         (15.0, 5.896816288783659e+166, _best_sine_1, _best_sine_1_pair),
@@ -3347,6 +3353,7 @@ _BEST_ANGLE = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 15.0, _best_angle_0, _best_angle_0_pair),
         (15.0, 5.896816288783659e+166, _best_angle_1, _best_angle_1_pair),
@@ -3772,6 +3779,7 @@ _MAX_RANGE_FACTOR = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 7.5, _max_range_factor_0, _max_range_factor_0_pair),
         (7.5, 5.896816288783659e+166, _max_range_factor_1, _max_range_factor_1_pair),
@@ -3879,6 +3887,7 @@ _W0_OFFSET = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (1.1830521861667747e-271, 43.9, _w0_offset_0, _w0_offset_0_pair),
         (-inf, 1.1830521861667747e-271, _w0_offset_1, _w0_offset_1_pair),
@@ -4045,6 +4054,7 @@ _WM1_OFFSET = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (1.1830521861667747e-271, 112.0, _wm1_offset_0, _wm1_offset_0_pair),
         (-inf, 1.1830521861667747e-271, _wm1_offset_1, _wm1_offset_1_pair),
@@ -4200,6 +4210,7 @@ _W0 = {
     "domain": (-0.3678794411714423, inf),
     "ends": ((-0.36787944117144233, 1.2428753672788363e-17), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 21.5, _w0_0, _w0_0_pair),
         (21.5, inf, _w0_1, _w0_1_pair),
@@ -4455,6 +4466,7 @@ _WM1 = {
     "domain": (-0.3678794411714423, 0.0),
     "ends": ((-0.36787944117144233, 1.2428753672788363e-17), (0.0, 0.0)),
     "parity": "",
+    "pole": 0.0,
     "forms": (
         (-0.3056, -1e-49, _wm1_0, _wm1_0_pair),
         (-inf, -0.3056, _wm1_1, _wm1_1_pair),
@@ -4682,6 +4694,7 @@ _EXP_MINUS = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 640.0, _exp_minus_0, _exp_minus_0_pair),
         (640.0, 745.25, _exp_minus_1, _exp_minus_1_pair),
@@ -4725,6 +4738,7 @@ _SIN = {
     "domain": (-1.5707963267948966, 1.5707963267948966),
     "ends": ((-1.5707963267948966, -6.123233995736766e-17), (1.5707963267948966, 6.123233995736766e-17)),
     "parity": "odd",
+    "pole": None,
     "forms": (
         (0.0, 1.5707963267948968, _sin_0, _sin_0_pair),
     ),
@@ -4779,6 +4793,7 @@ _COS = {
     "domain": (-1.5707963267948966, 1.5707963267948966),
     "ends": ((-1.5707963267948966, -6.123233995736766e-17), (1.5707963267948966, 6.123233995736766e-17)),
     "parity": "even",
+    "pole": None,
     "forms": (
         (0.0, 1.5707963267948968, _cos_0, _cos_0_pair),
     ),
@@ -4877,6 +4892,7 @@ _ARCTAN = {
     "domain": (-inf, inf),
     "ends": ((-inf, 0.0), (inf, 0.0)),
     "parity": "odd",
+    "pole": None,
     "forms": (
         (0.0, 3.75, _arctan_0, _arctan_0_pair),
         (3.75, 63.75, _arctan_1, _arctan_1_pair),
@@ -4991,6 +5007,7 @@ _EXP_MANTISSA = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 32768.0, _exp_mantissa_0, _exp_mantissa_0_pair),
         (32768.0, inf, _exp_mantissa_1, _exp_mantissa_1_pair),
@@ -5048,6 +5065,7 @@ _EXP_EXPONENT = {
     "domain": (0.0, inf),
     "ends": ((0.0, 0.0), (inf, 0.0)),
     "parity": "",
+    "pole": None,
     "forms": (
         (-inf, 32768.0, _exp_exponent_0, _exp_exponent_0_pair),
         (32768.0, inf, _exp_exponent_1, _exp_exponent_1_pair),

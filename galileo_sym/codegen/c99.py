@@ -1,7 +1,7 @@
 """The C99 back end: one source a paper, and the public header."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import ROUTINE_TEXT, call_text, clash_pairs, counts_text, sources_text
+from galileo_sym.codegen.printing import PRIMITIVE_TEXT, ROUTINE_TEXT, call_text, clash_pairs, counts_text, sources_text
 from galileo_sym.codegen.schedule import balance_name, schedule
 from galileo_sym.solvers import SOLVERS
 
@@ -91,6 +91,25 @@ def _routine_kernel(function, force_set):
     )
 
 
+def _primitive_kernels(function):
+    """All four functions of one that is a primitive."""
+    (force_set,) = function.variants
+    (argument,), (output,) = function.arguments(force_set), function.outputs
+    head = f"/* {sources_text(function, force_set)}.\n * {PRIMITIVE_TEXT.format(function.primitive)} */\n"
+    called = f"gs_special_{function.primitive}"
+    return head + "".join(
+        f"{signature}\n{{\n    {call}\n}}\n"
+        for kind, letter in (("double", ""), ("float", "f"))
+        for signature, call in (
+            (_scalar_signature(function, "", force_set, kind), f"return {called}{letter}({argument.name});"),
+            (
+                _array_signature(function, "", force_set, kind),
+                f"{called}_n{letter}(n, {argument.name}, {output.name});",
+            ),
+        )
+    )
+
+
 def _assignment(name, node):
     return f"    const {_TYPES.get(node[0], 'gs_scaled')} {name} = {call_text(node, 'gs_')};"
 
@@ -133,6 +152,8 @@ def kernel(function, force_set):
     """
     if function.routine:
         return _routine_kernel(function, force_set)
+    if function.primitive:
+        return _primitive_kernels(function)
     plan = schedule(function, force_set)
     arguments = function.arguments(force_set)
     symbols = {a.symbol: a.name for a in arguments}
@@ -222,6 +243,8 @@ def source(paper):
     parts = []
     for function in (f for f in FUNCTIONS.values() if f.paper == paper):
         parts += [kernel(function, force_set) for force_set in function.variants]
+        if function.primitive:
+            continue
         if _fullest(function):
             parts.append(_forward(function))
         for suffix, force_set in variants(function):

@@ -118,22 +118,26 @@ TARGETS = {
 CONDITION = "defined(__x86_64__) && defined(__GNUC__) && !defined(GS_PORTABLE)"
 
 
-def _each(macro):
-    return "".join(f"{macro}({name})\n" for name in KERNELS)
+_LOOK_FOR = {None: "GS_NO_POLE", 0.0: "GS_POLE_AT_0"}
+
+
+def _loops():
+    return "".join(f"GS_LOOPS({name})\n" for name in KERNELS)
 
 
 def target_source(template, suffix):
     """Return the source of one version of all primitives."""
     machine, features, lanes = TARGETS[suffix]
     words = {"MACHINE": machine, "FEATURES": features, "LANES": str(lanes), "SUFFIX": suffix, "CONDITION": CONDITION}
-    for word, text in (words | {"LOOPS": _each("GS_LOOPS")}).items():
+    for word, text in (words | {"LOOPS": _loops()}).items():
         template = template.replace(f"@{word}@", text)
     return template
 
 
 def public_source(template):
     """Return the source of the public functions, which choose a version."""
-    return template.replace("@CONDITION@", CONDITION).replace("@PUBLIC@\n", _each("GS_PUBLIC"))
+    public = "".join(f"GS_PUBLIC({name}, {_LOOK_FOR[kernel.pole]})\n" for name, kernel in KERNELS.items())
+    return template.replace("@CONDITION@", CONDITION).replace("@PUBLIC@\n", public)
 
 
 def prototypes():

@@ -1,7 +1,7 @@
 """The NumPy back end: one module a paper, importing NumPy alone."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import ROUTINE_TEXT, call_text, clash_pairs, counts_text, sources_text
+from galileo_sym.codegen.printing import PRIMITIVE_TEXT, ROUTINE_TEXT, call_text, clash_pairs, counts_text, sources_text
 from galileo_sym.codegen.schedule import TABLE_CALLS, balance_name, schedule
 from galileo_sym.solvers import SOLVERS
 
@@ -65,6 +65,16 @@ def _routine_kernel(function, force_set):
     )
 
 
+def _primitive_kernel(function, force_set):
+    """A kernel that is a primitive; its rest is dropped."""
+    (argument,) = (a.name for a in function.arguments(force_set))
+    doc = _docstring(function, force_set, PRIMITIVE_TEXT.format(function.primitive))
+    return (
+        f"def {_kernel_name(function, force_set)}({argument}):\n"
+        f"{doc}    return special.{function.primitive}({argument})[0]\n"
+    )
+
+
 def _balance(name, plan, unknown):
     """Source of what a solver evaluates in each of its steps."""
     values = "".join(
@@ -105,6 +115,8 @@ def kernel(function, force_set):
     """
     if function.routine:
         return _routine_kernel(function, force_set)
+    if function.primitive:
+        return _primitive_kernel(function, force_set)
     plan = schedule(function, force_set)
     held = any(node[0] == "driving" for _, node in plan.steps)
     arguments = function.arguments(force_set)
@@ -166,6 +178,8 @@ def _ceiling(function):
 
 def _dispatch(function):
     """Table row: which kernel serves which force arguments, which argument is an angle, which has a largest value."""
+    if function.primitive:
+        return f'    "{function.name}": special.FUNCTIONS["{function.primitive}"],\n'
     angle = [a.unit == "rad" for a in function.arguments(next(iter(function.variants)))]
     index = angle.index(True) if True in angle else None
     return (
@@ -185,7 +199,8 @@ def module(paper):
         for source, names in _MODULES.items()
         if (used := [name for name in sorted(names) if f"{name}(" in text])
     )
-    sources = sorted({f"_{f.routine.split('.')[0]}" for f in functions if f.routine})
+    sources = {f"_{f.routine.split('.')[0]}" for f in functions if f.routine}
+    sources = sorted(sources | {"special" for f in functions if f.primitive})
     imports += f"from . import {', '.join(sources)}\n" if sources else ""
     infinity = "from math import inf\n\n" if "=inf" in text else ""
     table = "".join(_dispatch(f) for f in functions)

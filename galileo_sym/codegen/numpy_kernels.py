@@ -80,6 +80,7 @@ def _kernel(kernel):
     return (
         f"{''.join(out)}_{kernel.name.upper()} = {{\n"
         f'    "domain": ({domain}),\n    "ends": (({ends[0]}), ({ends[1]})),\n    "parity": "{kernel.parity}",\n'
+        f'    "pole": {kernel.pole!r},\n'
         f'    "forms": (\n{"".join(forms)}    ),\n}}\n\n\n'
         f'def {kernel.name}(x):\n    """{kernel.doc}: the nearest double but for a little, and the rest."""\n'
         f"    return op.single(_{kernel.name.upper()}, x)\n\n\n"

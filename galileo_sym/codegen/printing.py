@@ -5,6 +5,7 @@ from itertools import combinations
 from galileo_sym.catalogue import stable
 from galileo_sym.solvers import SOLVERS
 
+PRIMITIVE_TEXT = "Operations: those of the primitive {}."
 ROUTINE_TEXT = "Operations: as its cases need, at most a few dozen in pairs."
 
 

@@ -27,8 +27,9 @@ class Frame:
     """A primitive: the first of its ranges is the typical one; the others are looked at only if some lane needs them.
 
     ``domain`` is the least and the greatest argument, beyond which the value is NaN; ``pair_domain`` the same as pairs,
-    where these differ. ``parity`` is "odd" or "even" for a function whose ranges are of abs(x). ``banks`` are the
-    approximations that the lines look up, ``tables`` other tables of 16 values.
+    where these differ. At ``pole``, 0 or None, the value is infinite, and public functions raise 'divide by zero'.
+    ``parity`` is "odd" or "even" for a function whose ranges are of abs(x). ``banks`` are the approximations that the
+    lines look up, ``tables`` other tables of 16 values.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Frame:
     parity: str = ""
     tables: dict = field(default_factory=dict)
     pair_domain: tuple = ()
+    pole: float = None
 
     @property
     def ends(self):

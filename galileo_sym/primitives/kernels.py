@@ -27,6 +27,7 @@ class Kernel:
     far_pair: tuple
     at_infinity: tuple = ()
     parity = ""
+    pole = None
     tables: ClassVar[dict] = {}
 
     @property

@@ -181,5 +181,6 @@ FRAMES = (
         ),
         (LEAST, 0.0),
         pair_domain=_ON_WM1,
+        pole=0.0,
     ),
 )

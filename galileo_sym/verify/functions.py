@@ -35,6 +35,8 @@ class Function:
         The unit of the error of an output that is not measured in ulps of the result.
     ranges : dict of str to (float, float)
         Least and greatest value of an argument that is not restricted as in all other functions.
+    fused : bool
+        Whether the C is made of fused multiply-adds, which NumPy lacks: the two may then differ in the last place.
     """
 
     paper: str
@@ -46,6 +48,7 @@ class Function:
     bound: float = CLAIMED_BOUND
     unit: dict = field(default_factory=dict)
     ranges: dict = field(default_factory=dict)
+    fused: bool = False
 
     @property
     def full_name(self):
@@ -121,8 +124,10 @@ _TABLE = (
         ),
     ),
     Function("projectile", "best_angle", ("alpha",), (), ONE_LAW, ("angle",)),
-    Function("lambert", "w0", ("x",), (), ONE_LAW, ("w",), 1.0, ranges={"x": (_ABOVE_BRANCH_POINT, math.inf)}),
-    Function("lambert", "wm1", ("x",), (), ONE_LAW, ("w",), 1.0, ranges={"x": (_ABOVE_BRANCH_POINT, -math.ulp(0.0))}),
+    *(
+        Function("lambert", name, ("x",), (), ONE_LAW, ("w",), ranges={"x": (_ABOVE_BRANCH_POINT, most)}, fused=True)
+        for name, most in (("w0", math.inf), ("wm1", -math.ulp(0.0)))
+    ),
     Function(
         "lambert",
         "linear_exponential_roots",
@@ -130,7 +135,6 @@ _TABLE = (
         (),
         ONE_LAW,
         ("t0", "tm1"),
-        1.0,
         ranges=dict.fromkeys("abcd", _ANY),
     ),
 )

@@ -92,7 +92,7 @@ def judge(sample, back_ends, record):
     sample : Sample
         Points with references; the recorded worst input last, if there is a record.
     back_ends : list
-        Objects with `name` and `evaluate`; all have to agree with the first to the bit.
+        Objects with `name` and `evaluate`; all have to agree with the first to the bit, unless the function is `fused`.
     record : dict or None
         What the certificate says of this stratum.
 
@@ -104,7 +104,8 @@ def judge(sample, back_ends, record):
         The largest error over all back ends, None if one of them failed.
     """
     task = sample.task
-    bound = FUNCTIONS[task.function].bound if record is None else record["bound"]
+    function = FUNCTIONS[task.function]
+    bound = function.bound if record is None else record["bound"]
     agreeing, rows, measurements = [], [], []
     first = None
     for back_end in back_ends:
@@ -121,7 +122,7 @@ def judge(sample, back_ends, record):
         measurements.append((back_end.name, measurement, _verdict(measurement, bound, record)))
         if first is None:
             first = results
-        else:
+        elif not function.fused:
             shown = " ".join(f"{name}={value}" for name, value in as_hex(sample.point(differs)).items())
             verdict = f"bits differ from {back_ends[0].name}, first at {shown}"
             measurements[-1] = (back_end.name, measurement, verdict)

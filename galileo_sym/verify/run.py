@@ -110,8 +110,8 @@ def run(
     -------
     int
         0 if all held; 1 if an error exceeds its bound, a recorded worst input errs more than recorded, back ends
-        differ in bits, the C does not compile or load, or a certificate is missing or does not fit; 2 on unknown
-        names, a number of points below 1, or an update that is refused.
+        differ in bits that must not, the C does not compile or load, or a certificate is missing or does not fit; 2 on
+        unknown names, a number of points below 1, or an update that is refused.
     """
     out = sys.stdout if out is None else out
     err = sys.stderr if err is None else err

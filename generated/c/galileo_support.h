@@ -328,8 +328,6 @@ static inline int gs_positive(double x) { return x > 0.0; }
 static inline int gs_nonnegative(double x) { return x >= 0.0; }
 static inline int gs_chord_angle(double x) { return fabs(x) <= gs_half_pi[0]; }
 static inline int gs_elevation(double x) { return x >= 0.0 && x <= gs_half_pi[0]; }
-static inline int gs_branch(double x) { return x > -gs_inverse_e[0]; }
-static inline int gs_lower_branch(double x) { return x > -gs_inverse_e[0] && x <= 0.0; }
 
 static inline double gs_invalid(void)
 {
@@ -371,8 +369,6 @@ gs_scaled gs_principal(gs_scaled x, gs_scaled above);
 gs_scaled gs_principal_offset(gs_scaled x);
 gs_scaled gs_lower_offset(gs_scaled x);
 gs_scaled gs_excess(double a, double b, double c, double d);
-double gs_w0(double x);
-double gs_wm1(double x);
 void gs_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1);
 
 #endif

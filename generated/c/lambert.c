@@ -3,51 +3,41 @@
 #include "galileo_support.h"
 
 /* stable.lambert.w0, the stable form of projectile.res1.
- * Operations: as its cases need, at most a few dozen in pairs. */
+ * Operations: those of the primitive w0. */
 double gs_lambert_w0(double x)
 {
-    return gs_w0(x);
+    return gs_special_w0(x);
 }
-
 void gs_lambert_w0_n(size_t n, const double *x, double *w)
 {
-    for (size_t i = 0; i < n; i++)
-        w[i] = gs_lambert_w0(x[i]);
+    gs_special_w0_n(n, x, w);
 }
-
 float gs_lambert_w0f(float x)
 {
-    return (float)gs_lambert_w0((double)x);
+    return gs_special_w0f(x);
 }
-
 void gs_lambert_w0_nf(size_t n, const float *x, float *w)
 {
-    for (size_t i = 0; i < n; i++)
-        w[i] = gs_lambert_w0f(x[i]);
+    gs_special_w0_nf(n, x, w);
 }
 
 /* stable.lambert.wm1, the stable form of projectile.def.W.
- * Operations: as its cases need, at most a few dozen in pairs. */
+ * Operations: those of the primitive wm1. */
 double gs_lambert_wm1(double x)
 {
-    return gs_wm1(x);
+    return gs_special_wm1(x);
 }
-
 void gs_lambert_wm1_n(size_t n, const double *x, double *w)
 {
-    for (size_t i = 0; i < n; i++)
-        w[i] = gs_lambert_wm1(x[i]);
+    gs_special_wm1_n(n, x, w);
 }
-
 float gs_lambert_wm1f(float x)
 {
-    return (float)gs_lambert_wm1((double)x);
+    return gs_special_wm1f(x);
 }
-
 void gs_lambert_wm1_nf(size_t n, const float *x, float *w)
 {
-    for (size_t i = 0; i < n; i++)
-        w[i] = gs_lambert_wm1f(x[i]);
+    gs_special_wm1_nf(n, x, w);
 }
 
 /* stable.lambert.linear_exponential_roots, the stable form of projectile.res3, beyond.real-roots.two, beyond.real-roots.one.

@@ -142,6 +142,7 @@ def _single_and_pair(name, x):
 def test_a_rest_of_0_changes_no_bit(name, shims):
     """What is left of the lines where x_lo is 0 has the same result; beyond its pieces C gives a single x no rest."""
     x = np.concatenate([points(name, 500), [0.0, -0.0]])
+    x = x[x != KERNELS[name].pole]
     for a, b in zip(*_single_and_pair(name, x), strict=True):
         assert np.array_equal(np.where(a == 0.0, 0.0, a).view(np.int64), np.where(b == 0.0, 0.0, b).view(np.int64))
     if name in BANKED:
@@ -176,7 +177,8 @@ def test_edges_and_flags(name, shims):
     at_zero, at_infinity = LIMITS[name]
     for function in (lambda x: paired(x, 0.0), getattr(special, name)):
         if at_zero is not ITSELF:
-            assert function(0.0)[0] == function(-0.0)[0] == at_zero
+            with np.errstate(divide="ignore"):  # a pole
+                assert function(0.0)[0] == function(-0.0)[0] == at_zero
         else:
             assert [np.signbit(function(x)[0]) for x in (0.0, -0.0)] == [False, True]
         if upper == np.inf:

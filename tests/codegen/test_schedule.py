@@ -8,7 +8,8 @@ from galileo_sym.codegen import schedule as scheduling
 from galileo_sym.codegen.printing import call_text
 from galileo_sym.codegen.schedule import schedule
 
-KERNELS = [(name, s) for name, function in FUNCTIONS.items() if not function.routine for s in function.variants]
+PLANNED = [name for name, function in FUNCTIONS.items() if not (function.routine or function.primitive)]
+KERNELS = [(name, s) for name in PLANNED for s in FUNCTIONS[name].variants]
 
 
 def _plan(name, force_set):

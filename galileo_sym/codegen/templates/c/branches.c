@@ -1,8 +1,7 @@
-/* Both real branches of W, and their distance from -1 in x = -1 - log of minus the argument. */
+/* Both real branches of W of pairs, and their distance from -1 in x = -1 - log of minus the argument. */
 #include "galileo_support.h"
 
-#define GS_HUGE 100   /* exponent above which log(y) is nothing beside y */
-#define GS_NEAR -0.26 /* below it -e x is nearer 1 than sqrt(1/2) */
+#define GS_HUGE 100 /* exponent above which log(y) is nothing beside y */
 #define GS_CLOSE_BY 0x1p-12 /* below it s - log(1 + s) cancels more than a Newton step gains */
 
 /* A table at a scaled pair >= 0; 0 where it has ended. */
@@ -63,44 +62,4 @@ gs_scaled gs_lower_offset(gs_scaled x)
         s = gs_add(x, gs_logarithm(x));
     const gs_scaled gap = gs_sub(gs_sub(s, gs_logarithm(gs_add(one, s))), x);
     return gs_sub(s, gs_div(gs_mul(gap, gs_add(one, s)), s));
-}
-
-/* x + 1/e, exact but for the last rounding of a pair. */
-static gs_scaled gs_above(double x)
-{
-    const gs_pair rest = {gs_inverse_e[1], gs_inverse_e[2]};
-    return gs_make(gs_pair_add(gs_two_sum(x, gs_inverse_e[0]), rest), 0);
-}
-
-double gs_w0(double x)
-{
-    if (isnan(x) || x == 0.0)
-        return x;
-    if (!gs_branch(x))
-        return gs_invalid();
-    const gs_scaled argument = gs_load(x);
-    if (x >= 1.0)
-        return gs_store(gs_wright_omega(gs_logarithm(argument)));
-    const gs_scaled w = gs_principal(argument, gs_above(x)), one = gs_constant(1.0);
-    const gs_scaled gap = gs_sub(w, gs_mul(argument, gs_exponential(gs_neg(w)))); /* for a Newton step */
-    return gs_store(gs_sub(w, gs_div(gap, gs_add(one, w))));
-}
-
-double gs_wm1(double x)
-{
-    const gs_pair e = {gs_e[0], gs_e[1]};
-    gs_scaled distance;
-    if (isnan(x))
-        return x;
-    if (!gs_lower_branch(x))
-        return gs_invalid();
-    if (x == 0.0) {
-        feraiseexcept(FE_DIVBYZERO);
-        return -INFINITY;
-    }
-    if (x < GS_NEAR)
-        distance = gs_neg(gs_log_from_excess(gs_neg(gs_mul(gs_make(e, 0), gs_above(x)))));
-    else
-        distance = gs_sub(gs_neg(gs_logarithm(gs_load(-x))), gs_constant(1.0));
-    return gs_store(gs_neg(gs_add(gs_constant(1.0), gs_lower_offset(distance))));
 }

@@ -1,15 +1,13 @@
-"""Both real branches of W, and their distance from -1 in x = -1 - log of minus the argument."""
+"""Both real branches of W of pairs, and their distance from -1 in x = -1 - log of minus the argument."""
 
 import numpy as np
 
-from ._elementary import exponential, log_from_excess, logarithm, minus_one
-from ._kernel import admit, quiet, settle
+from ._elementary import logarithm
 from ._primitives import _lookup
-from ._scaled import Scaled, add, constant, div, load, mul, neg, pair_add, plain, scale, select, sqrt, sub, two_sum
-from ._tables import INVERSE_E, TABLES, E
+from ._scaled import Scaled, add, constant, div, mul, plain, scale, select, sqrt, sub
+from ._tables import TABLES, E
 
 _HUGE = 100  # exponent above which log(y) is nothing beside y
-_NEAR = -0.26  # below it -e x is nearer 1 than sqrt(1/2)
 _CLOSE_BY = 2.0**-12  # below it s - log(1 + s) cancels more than a Newton step gains
 
 
@@ -63,39 +61,3 @@ def lower_offset(x):
     gap = sub(sub(start, logarithm(add(constant(1.0), start))), x)
     step = sub(start, div(mul(gap, add(constant(1.0), start)), start))
     return select(huge, x, select(kept, s, step))
-
-
-def _above(x):
-    """x + 1/e, exact but for the last rounding of a pair."""
-    s, t = two_sum(x, INVERSE_E[0] + 0.0 * x)
-    return Scaled(*pair_add(s, t, INVERSE_E[1], INVERSE_E[2]), np.zeros_like(s, dtype=np.int32))
-
-
-def w0(x):
-    """Principal branch of W, for x >= -1/e."""
-    (x,), void = admit((x, "branch"))
-    with quiet():
-        great = x >= 1.0
-        small = np.where(great, 0.5, x)
-        argument = load(small)
-        w = principal(argument, _above(small))
-        gap = sub(w, mul(argument, exponential(neg(w))))  # for a Newton step
-        value = sub(w, div(gap, add(constant(1.0), w)))
-        if np.any(great):
-            value = select(great, wright_omega(logarithm(load(np.where(great, x, 2.0)))), value)
-    return np.where(x == 0.0, x, settle(value, void))
-
-
-def wm1(x):
-    """Lower branch of W, for -1/e <= x <= 0; a pole at 0."""
-    (x,), void = admit((x, "lower branch"))
-    pole = x == 0.0
-    if np.any(pole):
-        np.divide(-1.0, np.zeros(1))  # raises 'divide by zero'
-    with quiet():
-        x = np.where(pole, -0.25, x)
-        near = x < _NEAR
-        height = neg(mul(Scaled(E[0], E[1], np.int32(0)), _above(np.where(near, x, -0.3))))
-        excess = select(near, neg(log_from_excess(height)), minus_one(neg(logarithm(load(-x)))))
-        value = neg(add(constant(1.0), lower_offset(excess)))
-    return np.where(pole, -np.inf, settle(value, void))
