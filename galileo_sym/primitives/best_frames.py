@@ -54,8 +54,10 @@ _SINE = [  # w/(a - (1 + w)/a)
     Line("d_lo", "sub", ("d_rest", "g_less")),
     *quotient("sine", "w", "d"),
 ]
+_SINE_ALONE = [*_SINE, *result("sine")]
 
 _ANGLE = [
+    *_SINE,
     Line("square", "mul", ("sine", "sine")),
     *series("more", "square", _ARCSINE),
     Line("share", "mul", ("square", "more")),
@@ -64,6 +66,7 @@ _ANGLE = [
     Line("angle_off", "fma", ("sine", "share", "sine_all")),
     Line("angle", "add", ("sine", "angle_off")),
     Line("angle_lo", "rest", ("sine", "angle_off", "angle")),
+    *result("angle"),
 ]
 
 _RANGE = [  # sqrt(1 - w (2 + w)/(a^2 - 1))/a
@@ -79,10 +82,24 @@ _RANGE = [  # sqrt(1 - w (2 + w)/(a^2 - 1))/a
     *add_exact("left", "minus", 1.0),
     *root("top", "left"),
     *quotient("factor", "top", "a"),
+    *result("factor"),
+]
+
+# 1/a: the root is 1 but for 2^-1087. A rest that may be subnormal is not added: that would round twice, and by 3/4 ulp.
+_RANGE_VERY_FAR = [
+    Line("a", "min", ("x", LARGEST)),
+    Line("q", "div", (1.0, "a")),
+    Line("q_e0", "product_rest", ("q", "a", 1.0)),
+    Line("q_e1", "fma", ("q", "x_lo", "q_e0")),
+    Line("minus", "mul", ("q", -1.0)),
+    Line("r", "fma", ("minus", "q_e1", "q")),
+    Line("back", "sub", ("q", "r")),
+    Line("off", "mul", ("minus", "q_e1")),
+    Line("lo", "add", ("back", "off")),
 ]
 
 
-def _frame(name, doc, lines, found):
+def _frame(name, doc, lines, very_far):
     far = APPROXIMATIONS[name].partition.end
     return Frame(
         name,
@@ -90,16 +107,17 @@ def _frame(name, doc, lines, found):
         (name, "log", "omega", "omega_tail"),
         (
             Range(0.0, far, (Line("f", "near_pair", (name, "x", "x_lo")), *result("f"))),
-            Range(far, _VERY_FAR, (*_omega("omega"), *lines, *result(found))),
-            Range(_VERY_FAR, inf, (*_omega("omega_tail"), *lines, *result(found))),
+            Range(far, _VERY_FAR, (*_omega("omega"), *lines)),
+            Range(_VERY_FAR, inf, tuple(very_far)),
             Range(inf, inf, tuple(single("div", 1.0, "x"))),
         ),
         (0.0, inf),
     )
 
 
+_TAIL = _omega("omega_tail")
 FRAMES = (
-    _frame("best_sine", "a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2", _SINE, "sine"),
-    _frame("best_angle", "asin of best_sine", [*_SINE, *_ANGLE], "angle"),
-    _frame("max_range_factor", "sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2", _RANGE, "factor"),
+    _frame("best_sine", "a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2", _SINE_ALONE, [*_TAIL, *_SINE_ALONE]),
+    _frame("best_angle", "asin of best_sine", _ANGLE, [*_TAIL, *_ANGLE]),
+    _frame("max_range_factor", "sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2", _RANGE, _RANGE_VERY_FAR),
 )
