@@ -9,17 +9,32 @@ import pytest
 from kernels_of_one import EMITTED, KERNELS, kernels_of, spoiled
 
 from galileo_sym.libraries import NoCompilerError, find_compiler
+from galileo_sym.primitives.kernels import KERNELS as KERNELS_BY_NAME
 from galileo_sym.verify.native import NativeLibrary
 from galileo_sym.verify.proof import command, table
 from galileo_sym.verify.proof.bounds import Proved, prove
 from galileo_sym.verify.proof.dispatch import primitives
 from galileo_sym.verify.proof.emitted import RefusedSource, parse
+from galileo_sym.verify.proof.frame_forms import FORMS
 from galileo_sym.verify.proof.references import CLOSED, NoReference, reference
 from galileo_sym.verify.proof.samples import errors, points
 
-NAMES = list(primitives(parse(KERNELS)))
+PROOFS = command.proofs(command.sources_in(table.folder()))
+NAMES = [name for name, proof in PROOFS.items() if proof]
 NAME = "descent_factor"
 COUNT = 120
+KNOWN_VALUES = {
+    "phi2m": (1e-9, 0.5),
+    "best_sine": (1e-9, 0.5**0.5),
+    "best_angle": (1e-9, np.pi / 4),
+    "w0_ratio": (1e-9, np.e),
+    "sin": (1e-9, 1e-9),
+    "arctan": (1e-9, 1e-9),
+    "w0": (1e-9, 1e-9),
+    "wm1": (-2 * np.exp(-2), -2.0),
+    "w0_offset": (1e-18, 2e-18**0.5),
+    "wm1_offset": (1e-18, -(2e-18**0.5)),
+}
 SIGN = ("gs_add(s_rest, s_lo)", "gs_sub(s_lo, s_rest)")
 
 try:
@@ -73,6 +88,12 @@ def test_the_committed_bounds_are_of_this_c(known):
     assert command.stale(known, table.folder(), table.page_path().read_text(encoding="utf-8")) == []
 
 
+def test_every_primitive_is_proved_within_what_the_readme_says(known):
+    assert known["not proved"] == []
+    assert set(known["primitives"]) == set(KERNELS_BY_NAME)
+    assert max(record["total"] for record in known["primitives"].values()) <= 0.55
+
+
 def test_the_proof_gives_the_committed_bounds_again(known, proved):
     assert table.entry(proved) == known["primitives"][NAME]
 
@@ -80,8 +101,7 @@ def test_the_proof_gives_the_committed_bounds_again(known, proved):
 @needs_compiler
 @pytest.mark.parametrize("name", NAMES)
 def test_no_sample_is_above_the_proved_bound(library, name):
-    served = primitives(parse(KERNELS))[name]
-    worst, lines = command.refuted(name, served, table.proved_bound(name), library, COUNT, 7)
+    worst, lines = command.refuted(name, PROOFS[name].points, table.proved_bound(name), library, COUNT, 7)
     assert worst > 0.4
     assert lines == []
 
@@ -89,9 +109,8 @@ def test_no_sample_is_above_the_proved_bound(library, name):
 @needs_compiler
 def test_a_sample_above_the_proved_bound_is_found(generated, tmp_path):
     spoil(generated, *SIGN)
-    served = primitives(parse(KERNELS))[NAME]
     library = special(generated / "c", tmp_path / "spoiled")
-    worst, lines = command.refuted(NAME, served, table.proved_bound(NAME), library, COUNT, 7)
+    worst, lines = command.refuted(NAME, PROOFS[NAME].points, table.proved_bound(NAME), library, COUNT, 7)
     assert worst > 0.75
     assert len(lines) == 1
 
@@ -104,6 +123,10 @@ def test_a_wrong_or_missing_value_is_no_small_error():
         errors("phi9", np.array([1.0]), np.array([1.0]))
 
 
+def test_a_value_far_below_the_least_double_is_0():
+    assert errors("exp_minus", np.array([1e300, 1e300]), np.array([0.0, 5e-324])) == [0.0, 1.0]
+
+
 def test_samples_lie_in_every_bank_and_beyond():
     served = primitives(parse(KERNELS))["flight_factor"]
     x = points(served, 400, 1)
@@ -114,9 +137,9 @@ def test_samples_lie_in_every_bank_and_beyond():
 
 
 @pytest.mark.parametrize("name", sorted(CLOSED))
-def test_references_start_at_the_drag_free_value(name):
-    at_zero = {"phi2m": 0.5, "best_sine": 0.5**0.5, "best_angle": np.pi / 4, "w0_ratio": np.e}.get(name, 1.0)
-    assert float(reference(name, 1e-9)) == pytest.approx(at_zero, rel=1e-8)
+def test_references_have_known_values(name):
+    x, value = KNOWN_VALUES.get(name, (1e-9, 1.0))
+    assert float(reference(name, x)) == pytest.approx(value, rel=1e-8)
 
 
 def test_every_number_is_rounded_up():
@@ -198,7 +221,7 @@ def test_check_refuses_a_missing_table_and_another_page(generated, known):
 )
 def test_a_proof_that_fails_writes_nothing(generated, capsys, monkeypatch, file, old, new, why):
     monkeypatch.setattr(command, "_library", lambda folder: None)  # the proof alone must notice
-    monkeypatch.setattr(command, "primitives", lambda emitted: {NAME: primitives(emitted)[NAME]})
+    monkeypatch.setattr(command, "proofs", lambda sources, all_of=command.proofs: {NAME: all_of(sources)[NAME]})
     before = {path: path.read_bytes() for path in (table.json_path(), table.page_path())}
     spoil(generated, old, new, file)
     assert command.main([]) == 1
@@ -209,7 +232,7 @@ def test_a_proof_that_fails_writes_nothing(generated, capsys, monkeypatch, file,
 def test_a_whole_proof_is_written_and_then_holds(generated, monkeypatch, proved):
     monkeypatch.setattr(command, "_library", lambda folder: None)
     monkeypatch.setattr(command, "prove", lambda emitted, name: proved)
-    monkeypatch.setattr(command, "primitives", lambda emitted: {NAME: primitives(emitted)[NAME]})
+    monkeypatch.setattr(command, "proofs", lambda sources, all_of=command.proofs: {NAME: all_of(sources)[NAME]})
     written = table.json_path().read_bytes()
     assert command.main([NAME]) == 0
     assert table.json_path().read_bytes() == written
@@ -231,3 +254,16 @@ def test_bad_usage_exits_with_2(arguments):
     with pytest.raises(SystemExit) as stopped:
         command.main(arguments)
     assert stopped.value.code == 2
+
+
+def test_a_primitive_that_the_proof_does_not_know_is_listed_and_said(generated, capsys, monkeypatch, known):
+    monkeypatch.delitem(FORMS, "sin")
+    record = known["primitives"].pop("sin")
+    assert command.stale(known, table.folder(), table.page(known)) == ["the primitives that are not proved are others"]
+    text = table.content(known["sha256"], known["primitives"], [*known["not proved"], "sin"])
+    table.json_path().write_text(text, encoding="utf-8")
+    table.page_path().write_text(table.page(table.read()), encoding="utf-8")
+    assert "| sin | not proved |" in table.page_path().read_text(encoding="utf-8")
+    assert command.main(["--check"]) == 0
+    assert "sin              not proved" in capsys.readouterr().out
+    assert record["total"] < table.LIMIT

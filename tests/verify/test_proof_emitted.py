@@ -42,7 +42,7 @@ def test_numbers_are_exact():
 @pytest.mark.parametrize(
     ("old", "new", "why"),
     [
-        ("gs_mul(q2, d)", "gs_sqrt(q2)", "gs_sqrt of 1 arguments is no operation of the grammar"),
+        ("gs_mul(q2, d)", "gs_hypot(q2)", "gs_hypot of 1 arguments is no operation of the grammar"),
         ("gs_mul(q2, d)", "gs_mul(q2, d, d)", "gs_mul of 3 arguments"),
         ("gs_mul(q2, d)", "q2 * d", "BinaryOp is no operation"),
         ("gs_mul(q2, d)", "gs_mul(q1, d)", "q1 is used before it is defined"),

@@ -7,6 +7,7 @@ DIGITS = 53
 SMALLEST = Fraction(1, 2**1074)  # the least subnormal: every double is a multiple of it
 LARGEST = Fraction(2**1024 - 2**971)
 _LEAST_EXPONENT = -1022
+_ROOT_BITS = 200
 _OVERFLOW = Fraction(2**1024 - 2**970)  # what rounds to infinity
 
 
@@ -63,6 +64,13 @@ def grid(value):
 def RN(value):
     """Return a rational rounded to nearest, ties to even: the division of integers rounds so."""
     return Fraction(value.numerator / value.denominator)
+
+
+def root_bound(value, up):
+    """Return a lower or an upper bound of a square root, good to 200 bits."""
+    shift = 2 * max(0, _ROOT_BITS - exponent(value) // 2) if value else 0
+    scaled = value * power(shift)
+    return (math.isqrt(scaled.numerator // scaled.denominator) + up) * power(-shift // 2)
 
 
 def before(value):

@@ -1,11 +1,12 @@
 """The emitted kernels as data: tables of coefficients and lists of operations, parsed from the C that is compiled.
 
 The grammar is what the emitter writes, and no more: `GS_TABLE(name) = {...};` and `static inline` functions of constant
-declarations, stores through a pointer parameter and one final return. Functions that choose between these are kept as
-text, for `dispatch`. The rest is refused.
+declarations, look-ups in approximations, stores through a pointer parameter and one final return. Functions that choose
+between these are kept as text, for `dispatch`. The rest is refused.
 """
 
 import hashlib
+import math
 import re
 from dataclasses import dataclass
 from fractions import Fraction
@@ -13,6 +14,8 @@ from pathlib import Path
 
 from pycparser import CParser, c_ast
 from pycparser.c_parser import ParseError
+
+from .emitted_nodes import RefusedSource, choice, exact_number, parameters_of, refuse, type_name
 
 ARITY = {
     "gs_add": 2,
@@ -23,27 +26,37 @@ ARITY = {
     "gs_fms": 3,
     "gs_fnma": 3,
     "gs_min": 2,
+    "gs_max": 2,
+    "gs_sqrt": 1,
+    "gs_abs": 1,
+    "gs_flip": 2,
+    "gs_at_least": 2,
+    "gs_less": 2,
+    "gs_select": 3,
+    "gs_exponent": 1,
+    "gs_mantissa": 1,
+    "gs_low_index": 1,
+    "gs_power": 1,
     "gs_rest": 3,
+    "gs_sum_rest": 3,
     "gs_product_rest": 3,
     "gs_v_of": 1,
     "gs_pick": 2,
     "gs_piece": 3,
 }
+LOOK_UPS = ("_near", "_near_pair")
 CHOOSING = ("_value", "_outside")
 _TYPES = "typedef double gs_v; typedef int gs_index; typedef int gs_mask;\n"
 _TABLE = re.compile(r"\bGS_TABLE\((\w+)\)")  # what galileo_vector.h makes of it, but for the alignment
 _RARE = re.compile(r"\bGS_RARE\b")
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+_CONSTANTS = ("gs_v", "gs_index", "gs_mask")
 _HARMLESS = re.compile(r"#\s*(include\b.*|ifndef\s+\w+|define\s+\w+_H|endif)$")
-
-
-class RefusedSource(Exception):
-    """The emitted C is outside the grammar that the proof understands; the message says where."""
 
 
 @dataclass(frozen=True)
 class Number:
-    """A constant: a double's exact value, or an integer."""
+    """A constant: a double's exact value, or an integer; infinity as a float."""
 
     value: Fraction
 
@@ -61,6 +74,15 @@ class Call:
 
     operation: str
     arguments: tuple
+
+
+@dataclass(frozen=True)
+class LookUp:
+    """A call of an approximation's function, which defines a second variable: the rest."""
+
+    function: str
+    arguments: tuple
+    rest: str
 
 
 @dataclass(frozen=True)
@@ -87,136 +109,92 @@ class Emitted:
     choosing: dict
 
 
-def _refuse(node, why):
-    line = getattr(node, "coord", None)
-    raise RefusedSource(f"{line or 'emitted C'}: {why}")
-
-
-def _number(node):
-    """Return the exact value of a constant, or None; doubles are written in hexadecimal, so nothing is rounded."""
-    if isinstance(node, c_ast.UnaryOp) and node.op == "-":
-        inner = _number(node.expr)
-        return None if inner is None else -inner
-    if not isinstance(node, c_ast.Constant):
-        return None
-    if node.type == "int":
-        return Fraction(int(node.value, 0))
-    if node.type != "double" or not node.value.lower().startswith("0x"):
-        _refuse(node, f"{node.value} is no hexadecimal double")
-    mantissa, power = node.value.lower().split("p")
-    whole, _, digits = mantissa.removeprefix("0x").partition(".")
-    exact = Fraction(int((whole or "0") + digits, 16)) * Fraction(2) ** (int(power) - 4 * len(digits))
-    if Fraction(float.fromhex(node.value)) != exact:
-        _refuse(node, f"{node.value} is not a double")
-    return exact
-
-
 def _table(node):
     if not isinstance(node.init, c_ast.InitList):
-        _refuse(node, f"{node.name} has no list of values")
-    values = tuple(map(_number, node.init.exprs))
-    if None in values or len(values) != _number(node.type.dim):
-        _refuse(node, f"{node.name} is no full list of constants")
+        refuse(node, f"{node.name} has no list of values")
+    values = tuple(map(exact_number, node.init.exprs))
+    if None in values or len(values) != exact_number(node.type.dim):
+        refuse(node, f"{node.name} is no full list of constants")
     return values
 
 
 def _expression(node, known):
-    value = _number(node)
+    value = exact_number(node)
     if value is not None:
         return Number(value)
+    if isinstance(node, c_ast.ID) and node.name == "INFINITY":
+        return Number(math.inf)
     if isinstance(node, c_ast.ID):
         if node.name not in known:
-            _refuse(node, f"{node.name} is used before it is defined")
+            refuse(node, f"{node.name} is used before it is defined")
         return Name(node.name)
     if not isinstance(node, c_ast.FuncCall) or not isinstance(node.name, c_ast.ID):
-        _refuse(node, f"{type(node).__name__} is no operation of the vector header")
+        refuse(node, f"{type(node).__name__} is no operation of the vector header")
     operation, arguments = node.name.name, node.args.exprs if node.args else []
     if ARITY.get(operation) != len(arguments):
-        _refuse(node, f"{operation} of {len(arguments)} arguments is no operation of the grammar")
+        refuse(node, f"{operation} of {len(arguments)} arguments is no operation of the grammar")
     return Call(operation, tuple(_expression(argument, known) for argument in arguments))
 
 
-def _type_name(node):
-    """Return the name of a plain or pointer type, with a star for the latter."""
-    if isinstance(node, c_ast.PtrDecl):
-        return _type_name(node.type) + "*"
-    if isinstance(node, c_ast.TypeDecl) and isinstance(node.type, c_ast.IdentifierType):
-        return " ".join(node.type.names)
-    return type(node).__name__
+def _look_up(node, known, functions, declared):
+    """Return the call of an approximation, or None if it is no such call."""
+    if not (isinstance(node, c_ast.FuncCall) and node.name.name.endswith(LOOK_UPS)):
+        return None
+    *arguments, last = node.args.exprs
+    called = functions.get(node.name.name)
+    written = isinstance(last, c_ast.UnaryOp) and last.op == "&" and isinstance(last.expr, c_ast.ID)
+    if called is None or len(called.parameters) != len(arguments) or len(called.pointers) != 1:
+        refuse(node, f"{node.name.name} is no function of these arguments that was defined before")
+    if not written or last.expr.name not in declared:
+        refuse(node, f"{node.name.name} does not write its rest to a variable declared for it")
+    declared.remove(last.expr.name)
+    return LookUp(node.name.name, tuple(_expression(a, known) for a in arguments), last.expr.name)
 
 
-def _parameters(node):
-    """Return the names of the value parameters and of the pointers."""
-    kinds = {"gs_v": [], "gs_v*": []}
-    for parameter in node.decl.type.args.params:
-        kind = _type_name(parameter.type)
-        if kind not in kinds:
-            _refuse(parameter, f"a parameter of type {kind}")
-        kinds[kind].append(parameter.name)
-    return tuple(kinds["gs_v"]), tuple(kinds["gs_v*"])
-
-
-def _statement(node, known, pointers):
+def _statement(node, known, pointers, functions, declared):
     """Return the name that a statement defines and its expression."""
-    if isinstance(node, c_ast.Decl) and "const" in node.quals and _type_name(node.type) in ("gs_v", "gs_index"):
+    if isinstance(node, c_ast.Decl) and "const" in node.quals and type_name(node.type) in _CONSTANTS:
         if node.name in known or node.name in pointers or node.init is None:
-            _refuse(node, f"{node.name} is defined twice or not at all")
-        return node.name, _expression(node.init, known)
+            refuse(node, f"{node.name} is defined twice or not at all")
+        return node.name, _look_up(node.init, known, functions, declared) or _expression(node.init, known)
     if isinstance(node, c_ast.Assignment) and node.op == "=" and isinstance(node.lvalue, c_ast.UnaryOp):
         target = node.lvalue
         if target.op == "*" and isinstance(target.expr, c_ast.ID) and target.expr.name in pointers:
             return target.expr.name, _expression(node.rvalue, known)
-    return _refuse(node, "neither a constant declaration nor a store through a pointer parameter")
+    return refuse(node, "neither a constant declaration nor a store through a pointer parameter")
 
 
-def _function(node, tables):
-    parameters, pointers = _parameters(node)
+def _is_declaration(node):
+    """Return whether a statement declares a variable for the rest of a look-up."""
+    plain = isinstance(node, c_ast.Decl) and node.init is None and not node.quals
+    return plain and type_name(node.type) == "gs_v"
+
+
+def _function(node, tables, functions):
+    parameters, pointers = parameters_of(node)
     known = {*tables, *parameters}
     *body, last = node.body.block_items
-    statements = []
+    statements, declared = [], []
     for item in body:
-        name, expression = _statement(item, known, pointers)
+        if _is_declaration(item):
+            if item.name in known:
+                refuse(item, f"{item.name} is defined twice")
+            declared.append(item.name)
+            continue
+        name, expression = _statement(item, known, pointers, functions, declared)
         if name in [earlier for earlier, _ in statements]:
-            _refuse(item, f"{name} is written twice")
+            refuse(item, f"{name} is written twice")
         statements.append((name, expression))
+        if isinstance(expression, LookUp):
+            known.add(expression.rest)
         if name not in pointers:
             known.add(name)
     if not isinstance(last, c_ast.Return):
-        _refuse(last, "the last statement is no return")
+        refuse(last, "the last statement is no return")
     unwritten = set(pointers) - {name for name, _ in statements}
     if unwritten:
-        _refuse(node, f"{', '.join(sorted(unwritten))} is never written")
+        refuse(node, f"{', '.join(sorted(unwritten))} is never written")
     return Function(node.decl.name, parameters, pointers, tuple(statements), _expression(last.expr, known))
-
-
-_SHOWN = {
-    c_ast.ID: lambda node: node.name,
-    c_ast.Constant: lambda node: node.value,
-    c_ast.FuncCall: lambda node: f"{node.name.name}({', '.join(map(_shown, node.args.exprs))})",
-    c_ast.UnaryOp: lambda node: f"{node.op}{_shown(node.expr)}",
-    c_ast.TernaryOp: lambda node: f"{_shown(node.cond)} ? {_shown(node.iftrue)} : {_shown(node.iffalse)}",
-    c_ast.Assignment: lambda node: f"{_shown(node.lvalue)} {node.op} {_shown(node.rvalue)};",
-    c_ast.Decl: lambda node: f"{_type_name(node.type)} {node.name}{_shown_start(node.init)};",
-    c_ast.Return: lambda node: f"return {_shown(node.expr)};",
-}
-
-
-def _shown_start(init):
-    return f" = {_shown(init)}" if init else ""
-
-
-def _shown(node):
-    """Return a node as text in one form, whatever its layout in the source."""
-    if type(node) not in _SHOWN:
-        _refuse(node, f"{type(node).__name__} in a function that chooses")
-    return _SHOWN[type(node)](node)
-
-
-def _choice(node):
-    """Return the text of a function that chooses, its parameters first."""
-    values, pointers = _parameters(node)
-    parameters = ", ".join([*values, *(f"*{name}" for name in pointers)])
-    return " ".join([f"{parameters}:", *map(_shown, node.body.block_items)])
 
 
 def _without_directives(text):
@@ -256,15 +234,15 @@ def parse(text):
     tables, functions, choosing = {}, {}, {}
     for node in tree.ext[_TYPES.count(";") :]:
         if isinstance(node, c_ast.FuncDef) and node.decl.name.endswith(CHOOSING):
-            known, name, made = choosing, node.decl.name, _choice(node)
+            known, name, made = choosing, node.decl.name, choice(node)
         elif isinstance(node, c_ast.FuncDef):
-            known, name, made = functions, node.decl.name, _function(node, tables)
+            known, name, made = functions, node.decl.name, _function(node, tables, functions)
         elif isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.ArrayDecl) and "const" in node.quals:
             known, name, made = tables, node.name, _table(node)
         else:
-            _refuse(node, f"{type(node).__name__} is neither a constant table nor a function")
+            refuse(node, f"{type(node).__name__} is neither a constant table nor a function")
         if name in tables or name in functions or name in choosing:
-            _refuse(node, f"{name} is defined twice")
+            refuse(node, f"{name} is defined twice")
         known[name] = made
     return Emitted(hashlib.sha256(text.encode()).hexdigest(), tables, functions, choosing)
 

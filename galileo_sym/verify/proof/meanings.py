@@ -14,6 +14,14 @@ _BY_LANES = {
     "gs_fma": ("fma(a, b, c)", "_mm256_fmadd_pd(a, b, c)", "_mm512_fmadd_pd(a, b, c)"),
     "gs_fms": ("fma(a, b, -c)", "_mm256_fmsub_pd(a, b, c)", "_mm512_fmsub_pd(a, b, c)"),
     "gs_fnma": ("fma(-a, b, c)", "_mm256_fnmadd_pd(a, b, c)", "_mm512_fnmadd_pd(a, b, c)"),
+    "gs_sqrt": ("sqrt(a)", "_mm256_sqrt_pd(a)", "_mm512_sqrt_pd(a)"),
+    "gs_max": ("isgreater(a, b) ? a : b", "_mm256_max_pd(a, b)", "_mm512_max_pd(a, b)"),
+    "gs_abs": ("fabs(a)", "_mm256_andnot_pd(_mm256_set1_pd(-0.0), a)", "_mm512_abs_pd(a)"),
+    "gs_flip": (
+        "signbit(x) ? -a : a",
+        "_mm256_xor_pd(a, _mm256_and_pd(x, _mm256_set1_pd(-0.0)))",
+        "_mm512_xor_pd(a, _mm512_and_pd(x, _mm512_set1_pd(-0.0)))",
+    ),
     "gs_min": ("isless(a, b) ? a : b", "_mm256_min_pd(a, b)", "_mm512_min_pd(a, b)"),
     "gs_select": ("m ? a : b", "_mm256_blendv_pd(b, a, m)", "_mm512_mask_blend_pd(m, b, a)"),
     "gs_less": ("isless(a, b)", "_mm256_cmp_pd(a, b, _CMP_LT_OQ)", "_mm512_cmp_pd_mask(a, b, _CMP_LT_OQ)"),
@@ -26,9 +34,17 @@ _PLAIN = {
     "gs_bits": "uint64_t bits; memcpy(&bits, &x, sizeof bits); return bits;",
     "gs_piece": "return (int64_t)(gs_bits(shifted) >> drop) - first;",
     "gs_pick": "return table[i];",
+    "gs_of_bits": "double x; memcpy(&x, &bits, sizeof x); return x;",
+    "gs_low_index": "return (int64_t)(gs_bits(u) & 15);",
+    "gs_power": "return gs_of_bits(0x3ff0000000000000 - (gs_bits(u) >> 4 << 52));",
+    "gs_exponent": "return gs_of_bits(gs_bits(x) >> 52 | 0x4330000000000000) - 0x1.00000000004p+52;",
+    "gs_mantissa": "return gs_of_bits((gs_bits(x) & 0xfffffffffffff) | 0x4000000000000000);",
 }
 _COMMON = {
     "gs_rest": "return gs_add(gs_sub(a, s), b);",
+    "gs_sum_rest": (
+        "const gs_v b_part = gs_sub(s, a); return gs_add(gs_sub(a, gs_sub(s, b_part)), gs_sub(b, b_part));"
+    ),
     "gs_product_rest": "return gs_fms(a, b, p);",
     "gs_within": "return gs_both(gs_at_least(x, lo), gs_less(x, hi));",
     "gs_refuse_beyond": (

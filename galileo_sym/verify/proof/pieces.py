@@ -10,13 +10,14 @@ from .emitted import Call, Name, Number, RefusedSource
 
 NEAR, PAIR = "_near", "_near_pair"
 PREFIX = "gs_"
+HALF = Fraction(1, 2)
 
 
 @dataclass(frozen=True)
 class Piece:
     """One piece.
 
-    Every x >= 0 that the emitted code looks up here lies in [lower, upper], and so does x + x_lo, abs x_lo <= ulp(x)/2.
+    Every x >= 0 that the emitted code looks up here lies in [lower, upper], and so does x + x_lo, x_lo within reach.
     The polynomial is the sum of coefficients[k] d^k, d = x - centre; coefficients[0] is the exact c0 + c0_lo.
     """
 
@@ -90,16 +91,22 @@ def centre_table(function):
     return tables[0]
 
 
-def _intervals(function, size, served):
+def require_served(function, size, begin, last):
+    """Refuse a function if an argument from begin to the last is looked up outside its pieces."""
+    _, offset, first, drop = lookup(function)
+    bounds = [double_of_bits((first + i) << drop) for i in (0, size)]
+    if offset < 0 or RN(begin + offset) < bounds[0] or RN(last + offset) >= bounds[-1]:
+        raise RefusedSource(f"{function.name}: an x that it serves is looked up outside its {size} pieces")
+
+
+def _intervals(function, size, reach):
     """Return the bounds of every piece, widened by what the rounding of x + offset and a low part of x may do."""
     _, offset, first, drop = lookup(function)
     bounds = [double_of_bits((first + i) << drop) for i in range(size + 1)]
-    if offset < 0 or RN(served.begin + offset) < bounds[0] or RN(before(served.end) + offset) >= bounds[-1]:
-        raise RefusedSource(f"{function.name}: an x that it serves is looked up outside its {size} pieces")
-    # RN(x + offset) >= v means x + offset >= v - ulp/2, and x_lo is half an ulp of x at most, which is no larger;
+    # RN(x + offset) >= v means x + offset >= v - ulp/2, and an ulp of x is no larger;
     # RN(x + offset) < w means x + offset <= w - ulp/2 of the double before w
-    lower = [max(Fraction(0), v - offset - ulp(v)) for v in bounds[:-1]]
-    return list(zip(lower, (v - offset for v in bounds[1:]), strict=True))
+    lower = [max(Fraction(0), v - offset - (HALF + reach) * ulp(v)) for v in bounds[:-1]]
+    return list(zip(lower, (w - offset + (reach - HALF) * ulp(w) for w in bounds[1:]), strict=True))
 
 
 def _polynomials(emitted, name, size):
@@ -114,7 +121,7 @@ def _polynomials(emitted, name, size):
     return list(zip(*columns, strict=True))
 
 
-def pieces(emitted, name, suffix=NEAR):
+def pieces(emitted, name, suffix=NEAR, served=None, reach=HALF):
     """Return the pieces of a bank.
 
     Parameters
@@ -124,6 +131,10 @@ def pieces(emitted, name, suffix=NEAR):
         The bank's, such as "flight_tail".
     suffix : str
         NEAR or PAIR: which function's look-up is read.
+    served : Bank, optional
+        What it serves; by default what the functions that choose say.
+    reach : Fraction
+        How many ulps of x a low part may have at most.
 
     Returns
     -------
@@ -136,10 +147,9 @@ def pieces(emitted, name, suffix=NEAR):
     """
     function = emitted.functions[f"{PREFIX}{name}{suffix}"]
     centres = emitted.tables[centre_table(function)]
-    intervals, polynomials = (
-        _intervals(function, len(centres), bank(emitted, name)),
-        _polynomials(emitted, name, len(centres)),
-    )
+    served = served or bank(emitted, name)
+    require_served(function, len(centres), served.begin, before(served.end))
+    intervals, polynomials = _intervals(function, len(centres), reach), _polynomials(emitted, name, len(centres))
     if not polynomials:
         raise RefusedSource(f"{name} has no table of coefficients {PREFIX}{name}_c0")
     rows = zip(intervals, centres, polynomials, strict=True)

@@ -42,11 +42,27 @@ CLOSED = {
     "best_angle": lambda a: mp.asin(a / mp.expm1(_best(a))),
     "max_range_factor": lambda a: mp.sqrt(1 - (1 + _best(a)) * mp.exp(-_best(a))) / a,
     "w0_ratio": _ratio,
+    "exp_minus": lambda z: mp.exp(-z),
+    "sin": mp.sin,
+    "cos": mp.cos,
+    "arctan": mp.atan,
+    "w0": lambda x: mp.lambertw(x).real,
+    "wm1": lambda x: mp.lambertw(x, -1).real,
+    "w0_offset": lambda x: 1 + mp.lambertw(-mp.exp(-1 - x)).real,
+    "wm1_offset": lambda x: 1 + mp.lambertw(-mp.exp(-1 - x), -1).real,
 }
 
 
 class NoReference(Exception):
     """There is no reference for a primitive, or none at an argument."""
+
+
+def _value(name, x):
+    """Return the closed form at the precision of now, or None where it is 0/0."""
+    try:
+        return CLOSED[name](mpf(x)) if x else None
+    except ZeroDivisionError:
+        return None
 
 
 def reference(name, x):
@@ -57,7 +73,7 @@ def reference(name, x):
     name : str
         A key of `CLOSED`.
     x : float
-        Positive.
+        Not 0.
 
     Returns
     -------
@@ -73,7 +89,7 @@ def reference(name, x):
     digits, before = 60, None
     while digits < _MOST:
         with mp.workdps(digits):
-            value = CLOSED[name](mpf(x)) if x else None
+            value = _value(name, x)
             if before is not None and value and abs(value - before) <= abs(value) * mpf(10) ** -_AGREE:
                 return value
         before, digits = value, 2 * digits

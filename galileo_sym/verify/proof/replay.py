@@ -8,9 +8,10 @@ symbol of s or p cancels exactly; their side conditions are proved, or the repla
 from dataclasses import dataclass
 from fractions import Fraction
 
-from .binary64 import DIGITS, SMALLEST, grid, rounding_error
+from .binary64 import DIGITS, LARGEST, SMALLEST, grid
 from .emitted import Call, Name, Number
 from .expansion import Expansion
+from .relative import error_of, no_less
 
 _NO_GRID = Fraction(0)
 
@@ -24,13 +25,15 @@ class Value:
     """A double during the replay, compared by identity.
 
     exact is its expansion before its own rounding, rounded the one after; step is a power of two of which it is a
-    multiple (None: it is 0); origin is the operation and operands that it is the rounding of.
+    multiple (None: it is 0); origin is the operation and operands that it is the rounding of; fixed is the double
+    itself where it is known.
     """
 
     exact: Expansion
     rounded: Expansion
     step: object
     origin: tuple = ()
+    fixed: object = None
 
 
 def given(expansion, step=SMALLEST):
@@ -38,7 +41,7 @@ def given(expansion, step=SMALLEST):
     return Value(expansion, expansion, step)
 
 
-def _common(a, b):
+def common(a, b):
     """Return a power of two of which sums are multiples, if one operand is of a and the other of b; None is of 0."""
     return min((step for step in (a, b) if step is not None), default=None)
 
@@ -57,7 +60,7 @@ class Replay:
     symbols : Symbols
         The range of the argument of expansions.
     parameters : dict of str to Value
-        What the parameters are in that range.
+        What the parameters are in that range, and what is known of variables beforehand.
     tables : dict of str to Fraction
         What each table holds for the piece.
     index : str, optional
@@ -76,13 +79,17 @@ class Replay:
         self.values = dict(parameters)
         self.name = function.name
         for self.line, expression in function.statements:
-            if self.line != index:
-                self.values[self.line] = self.value(expression)
+            if self.line != index and self.line not in parameters:
+                self.values[self.line] = self.statement(expression)
         self.line = "return"
         self.returned = self.value(function.returned)
 
     def _stop(self, why):
         raise Unproved(f"{self.name}, {self.line}: {why}")
+
+    def statement(self, expression):
+        """Return what a line defines."""
+        return self.value(expression)
 
     def value(self, expression):
         """Return the value of an expression."""
@@ -93,12 +100,15 @@ class Replay:
         if not isinstance(expression, Call):
             return self._stop("a bare number where a value is due")
         if expression.operation in ("gs_v_of", "gs_pick"):
-            exact = self._constant(expression)
-            return given(Expansion.of(exact), grid(exact))
-        if expression.operation not in _OPERATIONS:
+            return self.constant(self._constant(expression))
+        if expression.operation not in self.OPERATIONS:
             self._stop(f"{expression.operation} makes no value")
         operands = [self.value(argument) for argument in expression.arguments]
-        return _OPERATIONS[expression.operation](self, *operands)
+        return self.OPERATIONS[expression.operation](self, *operands)
+
+    def constant(self, exact):
+        """Return a constant of the C as a value."""
+        return given(Expansion.of(exact), grid(exact))
 
     def _constant(self, expression):
         """Return the number that a call stands for: written out, or picked from a table by the number of the piece."""
@@ -112,15 +122,16 @@ class Replay:
     def _rounded(self, exact, step, *origin):
         """Return the rounding of an exact result that is a multiple of step (None: it is 0)."""
         largest = self.symbols.largest(exact)
-        fits = step is None or (step >= SMALLEST and largest <= step * 2**DIGITS)
-        error = self.symbols.fresh(0 if fits else rounding_error(largest))
-        return Value(exact, exact + error, step if fits else SMALLEST, origin)
+        fits = step is None or (step >= SMALLEST and largest <= min(step * 2**DIGITS, LARGEST))
+        if fits:
+            return Value(exact, exact, step, origin)
+        return Value(exact, exact + error_of(self.symbols, exact), SMALLEST, origin)
 
     def _sum(self, a, b, exact, origin):
         """Return a rounded sum; exact where one operand is 0, or a common grid holds every digit."""
         if a.step is None or b.step is None:
-            return Value(exact, exact, _common(a.step, b.step), origin)
-        return self._rounded(exact, _common(a.step, b.step), *origin)
+            return Value(exact, exact, common(a.step, b.step), origin)
+        return self._rounded(exact, common(a.step, b.step), *origin)
 
     def add(self, a, b):
         """a + b."""
@@ -131,7 +142,7 @@ class Replay:
         exact = a.rounded - b.rounded
         sides = (b.rounded + exact + exact, b.rounded - exact, b.rounded)  # 2 a - b, 2 b - a, b
         if all(self.symbols.range(side)[0] >= 0 for side in sides):
-            return Value(exact, exact, _common(a.step, b.step), ("gs_sub", a, b))
+            return Value(exact, exact, common(a.step, b.step), ("gs_sub", a, b))
         return self._sum(a, b, exact, ("gs_sub", a, b))
 
     def mul(self, a, b):
@@ -147,17 +158,17 @@ class Replay:
 
     def fma(self, a, b, c):
         """a b + c, rounded once."""
-        step = _common(_product(a.step, b.step), c.step)
+        step = common(_product(a.step, b.step), c.step)
         return self._rounded(a.rounded * b.rounded + c.rounded, step, "gs_fma", a, b, c)
 
     def fms(self, a, b, c):
         """a b - c, rounded once."""
-        step = _common(_product(a.step, b.step), c.step)
+        step = common(_product(a.step, b.step), c.step)
         return self._rounded(a.rounded * b.rounded - c.rounded, step, "gs_fms", a, b, c)
 
     def fnma(self, a, b, c):
         """c - a b, rounded once."""
-        step = _common(_product(a.step, b.step), c.step)
+        step = common(_product(a.step, b.step), c.step)
         return self._rounded(c.rounded - a.rounded * b.rounded, step, "gs_fnma", a, b, c)
 
     def min(self, a, b):
@@ -171,11 +182,11 @@ class Replay:
         """The exact rest of s = RN(a + b): Dekker's fast two-sum, which needs abs a >= abs b, or a = 0."""
         if s.origin not in (("gs_add", a, b), ("gs_add", b, a)):
             self._stop("gs_rest of what is not the rounded sum of its operands")
-        largest, least = self.symbols.largest(b.rounded), self.symbols.least(a.rounded)
-        if self.symbols.largest(a.rounded) and least < largest:
+        if self.symbols.largest(a.rounded) and not no_less(self.symbols, a.rounded, b.rounded):
+            largest, least = self.symbols.largest(b.rounded), self.symbols.least(a.rounded)
             return self.unordered_rest(a, b, s, f"{float(least):.6g} and {float(largest):.6g}")
         exact = a.rounded + b.rounded - s.rounded
-        return Value(exact, exact, _common(a.step, b.step) or SMALLEST)
+        return Value(exact, exact, common(a.step, b.step) or SMALLEST)
 
     def unordered_rest(self, _a, _b, _s, sizes):
         """What gs_rest is where its condition fails: not proved."""
@@ -186,7 +197,7 @@ class Replay:
         if s.origin not in (("gs_add", a, b), ("gs_add", b, a)):
             self._stop("gs_sum_rest of what is not the rounded sum of its operands")
         exact = a.rounded + b.rounded - s.rounded
-        return Value(exact, exact, _common(a.step, b.step) or SMALLEST)
+        return Value(exact, exact, common(a.step, b.step) or SMALLEST)
 
     def product_rest(self, a, b, p):
         """The exact rest of p = RN(a b), but for half the least subnormal where the product's last digits underflow."""
@@ -199,7 +210,7 @@ class Replay:
         return Value(exact, exact + error, max(step or SMALLEST, SMALLEST))
 
 
-_OPERATIONS = {
+Replay.OPERATIONS = {
     "gs_add": Replay.add,
     "gs_sub": Replay.sub,
     "gs_mul": Replay.mul,

@@ -5,9 +5,11 @@ from fractions import Fraction
 
 from .binary64 import DIGITS, LARGEST, exponent, grid, power, ulp
 from .emitted import RefusedSource
-from .expansion import Expansion, Symbols
-from .pieces import NEAR, PREFIX, lookup, pieces
+from .expansion import ARGUMENT, Expansion, Symbols
+from .pieces import HALF, NEAR, PREFIX, lookup, pieces
 from .replay import Replay, Unproved, given
+
+X = ((ARGUMENT, 1),)
 
 
 @dataclass(frozen=True)
@@ -17,6 +19,7 @@ class Rounding:
     value: what the operations before the last one have done to the result; last: whether that one rounds, too;
     pair: the error of hi + lo, or of hi where there is no lo; least and largest: bounds of the absolute value of the
     form that is evaluated, without rounding errors; terms: that form, {power of d (of x beyond the end): coefficient}.
+    Where the form vanishes with x, on the first piece, all but the terms are divided by x.
     """
 
     lower: Fraction
@@ -29,11 +32,13 @@ class Rounding:
     terms: dict
 
 
-def _argument(piece, symbols):
+def _argument(piece, symbols, reach):
     """Return x = centre + d, a double of the piece, and the low part that may come with it."""
-    step = ulp(piece.lower)
+    step = ulp(symbols.atoms[ARGUMENT][0] if vanishes(piece) else piece.lower)
     x = given(Expansion.of(piece.centre) + Expansion.argument(), step)
-    return {"x": x, "x_lo": given(symbols.fresh(ulp(piece.upper) / 2))}
+    if vanishes(piece):  # an ulp is at most 2^-52 of x
+        return {"x": x, "x_lo": given(Expansion.argument() * symbols.fresh(reach * power(1 - DIGITS)))}
+    return {"x": x, "x_lo": given(symbols.fresh(ulp(piece.upper) * reach))}
 
 
 def _polynomial(coefficients, d):
@@ -44,19 +49,20 @@ def _polynomial(coefficients, d):
     return total
 
 
-def _over(symbols, replay, exact, lower, upper):
-    """Return the bounds of a replay held against the exact form."""
+def _over(replay, exact, lower, upper, unit=()):
+    """Return the bounds of a replay held against the exact form, all divided by a monomial."""
+    symbols = replay.symbols
     hi, lo = replay.returned, replay.values.get("lo")
     pair = hi.rounded + lo.rounded if lo else hi.rounded
     return Rounding(
         lower=lower,
         upper=upper,
-        value=symbols.largest(hi.exact - exact),
+        value=symbols.largest((hi.exact - exact).over(unit)),
         last=hi.exact.terms != hi.rounded.terms,
-        pair=symbols.largest(pair - exact),
-        least=symbols.least(exact),
-        largest=symbols.largest(exact),
-        terms=exact.without_symbols(),
+        pair=symbols.largest((pair - exact).over(unit)),
+        least=symbols.least(exact.over(unit)),
+        largest=symbols.largest(exact.over(unit)),
+        terms=exact.powers(),
     )
 
 
@@ -67,12 +73,25 @@ def _exact_rest(piece):
     return near_centre or not piece.centre or max(abs(piece.d_lower), abs(piece.d_upper)) <= step * 2**DIGITS
 
 
-def _on_piece(emitted, function, piece):
-    """Return the bounds on one piece of a function."""
-    symbols = Symbols(piece.d_lower, piece.d_upper)
+def vanishes(piece):
+    """Whether a piece begins at a zero of its polynomial, which is at x = 0."""
+    return not (piece.lower or piece.centre or piece.coefficients[0])
+
+
+def on_piece(emitted, function, piece, reach=HALF, tiny=Fraction(0)):
+    """Return the bounds on one piece of a function.
+
+    A low part of x has at most `reach` ulps of it. Where the polynomial vanishes at 0, x is no less than `tiny`.
+
+    Raises
+    ------
+    RefusedSource, Unproved, Overflow
+        As `near`.
+    """
+    symbols = Symbols(tiny if vanishes(piece) else piece.d_lower, piece.d_upper)
     if not _exact_rest(piece):
         raise Unproved(f"{function.name}, piece {piece.index}: x - centre is not proved exact")
-    known = _argument(piece, symbols)
+    known = _argument(piece, symbols, reach)
     if not set(function.parameters) <= set(known):
         raise RefusedSource(f"{function.name} takes {', '.join(function.parameters)}, where x and x_lo are known")
     parameters = {name: known[name] for name in function.parameters}
@@ -82,7 +101,7 @@ def _on_piece(emitted, function, piece):
     if "x_lo" in parameters:
         argument += parameters["x_lo"].rounded
     exact = _polynomial(piece.coefficients, argument)
-    return _over(symbols, replay, exact, piece.lower, piece.upper)
+    return _over(replay, exact, piece.lower, piece.upper, X if vanishes(piece) else ())
 
 
 def near(emitted, name, suffix=NEAR):
@@ -106,7 +125,7 @@ def near(emitted, name, suffix=NEAR):
         If the code is outside the grammar or a side condition is not proved.
     """
     function = emitted.functions[f"{PREFIX}{name}{suffix}"]
-    return [_on_piece(emitted, function, piece) for piece in pieces(emitted, name, suffix)]
+    return [on_piece(emitted, function, piece) for piece in pieces(emitted, name, suffix)]
 
 
 def _binades(first):
@@ -144,6 +163,6 @@ def far(emitted, name, first):
     for lower, upper in _binades(first):
         symbols = Symbols(lower, upper)
         replay = Replay(function, symbols, {"x": given(Expansion.argument(), ulp(lower))}, {})
-        exact = Expansion({(k, ()): c for k, c in replay.returned.exact.without_symbols().items()})
-        found.append(_over(symbols, replay, exact, lower, upper))
+        exact = replay.returned.exact.ideal()
+        found.append(_over(replay, exact, lower, upper))
     return found

@@ -8,14 +8,15 @@ from pathlib import Path
 from .pieces import PAIR
 
 LIMIT = 0.75  # ulp: no primitive may be allowed more
-SOURCES = ("c/galileo_kernels.h", "c/galileo_vector.h")
+SOURCES = ("c/galileo_kernels.h", "c/galileo_frames.h", "c/galileo_vector.h")
 _RELATIVE = Context(prec=3, rounding=ROUND_CEILING)
 _ULP = Decimal("0.0001")
 
 _HEAD = """\
 # Proved bounds of the primitives
 
-Made by `make prove` from `generated/c/galileo_kernels.h`; `make prove-check` refuses it if that file has changed.
+Made by `make prove` from `generated/c/galileo_kernels.h` and `galileo_frames.h`; `make prove-check` refuses it if these
+have changed.
 These are upper bounds for binary64, not samples:
 
 - **approximation**: the error of the piece's exact polynomial, relative to the function (ball arithmetic);
@@ -24,8 +25,11 @@ These are upper bounds for binary64, not samples:
 - **pair**: the error of hi + lo, relative.
 
 The form `..._near_pair` takes x + x_lo, |x_lo| no more than half an ulp of x. Far forms: the worst over all binades up
-to the largest double. The summary is of f(x), x a double. No bound may exceed {limit} ulp. Taken for granted: IEEE
-binary64 to nearest, a compiler that keeps every operation (`-ffp-contract=off`), and a correct `fma`.
+to the largest double. The ranges of a frame (`..._range0`) look banks of pieces up with arguments of their own: their
+rows hold for the whole range, and a bank's errors are in them, its approximation's and what a series leaves out in the
+first column; where the result is subnormal an error relative to it is no measure. The summary is of f(x), x a double.
+No bound may exceed {limit} ulp. Taken for granted: IEEE binary64 to nearest, a compiler that keeps every operation
+(`-ffp-contract=off`), and a correct `fma`.
 """
 
 
@@ -88,14 +92,15 @@ def entry(rows):
     return {"total": max(public), "rows": shown}
 
 
-def content(hashes, entries):
-    """Return the text of proofs.json: a line for each row."""
+def content(hashes, entries, unknown=()):
+    """Return the text of proofs.json: a line for each row; and the names of primitives that the proof does not know."""
     records = []
     for name, record in entries.items():
         rows = ",\n".join(f"   {json.dumps(row)}" for row in record["rows"])
         records.append(f'  {json.dumps(name)}: {{"total": {record["total"]}, "rows": [\n{rows}\n  ]}}')
     primitives = ",\n".join(records)
-    return f'{{\n "sha256": {json.dumps(hashes)},\n "primitives": {{\n{primitives}\n }}\n}}\n'
+    head = f' "sha256": {json.dumps(hashes)},\n "not proved": {json.dumps(sorted(unknown))},\n'
+    return f'{{\n{head} "primitives": {{\n{primitives}\n }}\n}}\n'
 
 
 def _number(text):
@@ -133,6 +138,7 @@ def page(known):
     lines = [_HEAD.format(limit=LIMIT), "\n", _line("primitive", "total"), _line("---", "---:")]
     order = sorted(known["primitives"].items(), key=lambda item: (-item[1]["total"], item[0]))
     lines += [_line(name, f"{record['total']:.4f}") for name, record in order]
+    lines += [_line(name, "not proved") for name in known["not proved"]]
     for name, record in order:
         rows = sorted(record["rows"], key=lambda row: -row["total"])
         lines += [f"\n## {name}\n\n", _line(*heading), _line(*rule), *(_line(*_cells(row)) for row in rows)]
