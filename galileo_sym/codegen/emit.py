@@ -13,7 +13,7 @@ import sympy
 
 import galileo_sym
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen import c99, frames, kernels, numpy, numpy_kernels, pairs, tables
+from galileo_sym.codegen import amalgamation, c99, frames, kernels, numpy, numpy_kernels, pairs, tables
 
 PINNED = {"sympy": "1.14.0", "mpmath": "1.3.0"}
 KEPT = ("certificates",)  # reviewed and committed by other means, never written here
@@ -111,7 +111,23 @@ def _sources():
     for name in _C_TEMPLATES:
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/tables.c"] = _c("the tables of galileo_sym.primitives", tables.c_tables())
-    return files
+    return files | _to_build(files)
+
+
+def _to_build(files):
+    """Return what builds the C library, and what shows its use, by path."""
+    example, description, package = "examples/descent_time.c", "CMakeLists.txt", "galileo-sym.pc.in"
+    sources = sorted(name.removeprefix("c/") for name in files if name.startswith("c/") and name.endswith(".c"))
+    words = {"@VERSION@": galileo_sym.__version__, "@SOURCES@": "\n".join(f"  {name}" for name in sources)}
+    text = _template(f"c/{description}")
+    for word, value in words.items():
+        text = text.replace(word, value)
+    return {
+        "c/amalgamated/galileo.c": _c("the files of c/", amalgamation.amalgamated(files)),
+        f"c/{example}": _c(f"templates/c/{example}", _template(f"c/{example}")),
+        f"c/{description}": _python(f"templates/c/{description}", text),
+        f"c/{package}": _python(f"templates/c/{package}", _template(f"c/{package}")),
+    }
 
 
 def build():
