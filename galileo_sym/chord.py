@@ -6,8 +6,8 @@ state; NaN gives NaN without it. An infinite argument gives the limit, or NaN an
 functions take ``out``, ``where``, ``dtype`` and ``casting`` as NumPy's ufuncs do.
 
 Accuracy, for float64: measured within 1 ulp of the exact result at every point sampled, from the smallest arguments to
-the largest, against enclosures by mpmath (claimed bound: 1 ulp; `generated/certificates/`); whether a bead slides at
-all is decided by the exact sign of cos|theta| - mu sin|theta|.
+the largest, against enclosures in ball arithmetic (claimed bound: 1 ulp; `generated/certificates/`); whether a bead
+slides at all is decided by the exact sign of cos|theta| - mu sin|theta|.
 """
 
 from galileo_sym._front import serve

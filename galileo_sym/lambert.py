@@ -4,9 +4,9 @@ Arguments are array-likes that broadcast; float64 and float32 in, the same out; 
 the result is NaN, with NumPy's 'invalid' floating-point error state; NaN gives NaN without it. All functions take
 ``out``, ``where``, ``dtype`` and ``casting`` as NumPy's ufuncs do.
 
-Accuracy, for float64: measured within 0.51 ulp of the exact result at every point sampled, from the smallest arguments
-to the largest, the branch point and double roots included, against enclosures by mpmath (claimed bound: 1 ulp;
-`generated/certificates/`).
+Accuracy, for float64: within 0.53 ulp of the exact result at every point sampled, from the smallest arguments to the
+largest, the branch point and double roots included (claimed bound: 1 ulp; `generated/certificates/`). In C both
+branches are proved within 0.55 ulp for every argument (`docs/proofs.md`).
 """
 
 from galileo_sym._front import serve
@@ -38,7 +38,7 @@ def w0(x, out=None, where=True, dtype=None, casting="same_kind"):
     Notes
     -----
     Result (1) of the projectile paper; the primitive `galileo_sym.special.w0`, whose float32 results are correctly
-    rounded. Claimed bound: 1 ulp (0.51 at every point sampled).
+    rounded. Claimed bound: 1 ulp (0.53 at every point sampled).
 
     Examples
     --------

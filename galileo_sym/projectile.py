@@ -6,9 +6,9 @@ state; NaN gives NaN without it. An infinite argument gives the limit, or NaN an
 functions take ``out``, ``where``, ``dtype`` and ``casting`` as NumPy's ufuncs do.
 
 Accuracy, for float64: measured within 1 ulp of the exact result at every point sampled, from the smallest arguments to
-the largest, against enclosures by mpmath (claimed bound: 1 ulp; `generated/certificates/`); errors of the height, of
-the upward velocity and of the slope against the elevation are in ulp of the larger of their two terms, which cancel at
-landing, at the apex and at the angle of greatest range.
+the largest, against enclosures in ball arithmetic (claimed bound: 1 ulp; `generated/certificates/`); errors of the
+height, of the upward velocity and of the slope against the elevation are in ulp of the larger of their two terms, which
+cancel at landing, at the apex and at the angle of greatest range.
 """
 
 from galileo_sym._front import serve

@@ -46,7 +46,6 @@ static inline gs_v gs_fms(gs_v a, gs_v b, gs_v c) { return _mm512_fmsub_pd(a, b,
 static inline gs_v gs_sqrt(gs_v a) { return _mm512_sqrt_pd(a); }
 static inline gs_v gs_fnma(gs_v a, gs_v b, gs_v c) { return _mm512_fnmadd_pd(a, b, c); }
 static inline gs_v gs_min(gs_v a, gs_v b) { return _mm512_min_pd(a, b); }
-static inline gs_v gs_max(gs_v a, gs_v b) { return _mm512_max_pd(a, b); }
 static inline gs_v gs_abs(gs_v a) { return _mm512_abs_pd(a); }
 static inline gs_v gs_flip(gs_v a, gs_v x) { return _mm512_xor_pd(a, _mm512_and_pd(x, _mm512_set1_pd(-0.0))); }
 static inline gs_mask gs_at_least(gs_v a, gs_v b) { return _mm512_cmp_pd_mask(a, b, _CMP_GE_OQ); }
@@ -107,7 +106,6 @@ static inline gs_v gs_fms(gs_v a, gs_v b, gs_v c) { return _mm256_fmsub_pd(a, b,
 static inline gs_v gs_sqrt(gs_v a) { return _mm256_sqrt_pd(a); }
 static inline gs_v gs_fnma(gs_v a, gs_v b, gs_v c) { return _mm256_fnmadd_pd(a, b, c); }
 static inline gs_v gs_min(gs_v a, gs_v b) { return _mm256_min_pd(a, b); }
-static inline gs_v gs_max(gs_v a, gs_v b) { return _mm256_max_pd(a, b); }
 static inline gs_v gs_abs(gs_v a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
 static inline gs_v gs_flip(gs_v a, gs_v x) { return _mm256_xor_pd(a, _mm256_and_pd(x, _mm256_set1_pd(-0.0))); }
 static inline gs_mask gs_at_least(gs_v a, gs_v b) { return _mm256_cmp_pd(a, b, _CMP_GE_OQ); }
@@ -182,7 +180,6 @@ static inline gs_v gs_fms(gs_v a, gs_v b, gs_v c) { return fma(a, b, -c); }
 static inline gs_v gs_sqrt(gs_v a) { return sqrt(a); }
 static inline gs_v gs_fnma(gs_v a, gs_v b, gs_v c) { return fma(-a, b, c); }
 static inline gs_v gs_min(gs_v a, gs_v b) { return isless(a, b) ? a : b; }
-static inline gs_v gs_max(gs_v a, gs_v b) { return isgreater(a, b) ? a : b; }
 static inline gs_v gs_abs(gs_v a) { return fabs(a); }
 static inline gs_v gs_flip(gs_v a, gs_v x) { return signbit(x) ? -a : a; }
 static inline gs_mask gs_at_least(gs_v a, gs_v b) { return isgreaterequal(a, b); }

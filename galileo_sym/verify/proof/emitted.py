@@ -26,7 +26,6 @@ ARITY = {
     "gs_fms": 3,
     "gs_fnma": 3,
     "gs_min": 2,
-    "gs_max": 2,
     "gs_sqrt": 1,
     "gs_abs": 1,
     "gs_flip": 2,

@@ -30,7 +30,6 @@ _OPERATIONS = {
     "gs_fms": lambda a, b, c: a * b - c,
     "gs_fnma": lambda a, b, c: c - a * b,
     "gs_min": min,
-    "gs_max": max,
     "gs_rest": lambda a, b, s: _rounded(a - s) + b,
     "gs_product_rest": lambda a, b, p: a * b - p,
 }

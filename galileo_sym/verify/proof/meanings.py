@@ -15,7 +15,6 @@ _BY_LANES = {
     "gs_fms": ("fma(a, b, -c)", "_mm256_fmsub_pd(a, b, c)", "_mm512_fmsub_pd(a, b, c)"),
     "gs_fnma": ("fma(-a, b, c)", "_mm256_fnmadd_pd(a, b, c)", "_mm512_fnmadd_pd(a, b, c)"),
     "gs_sqrt": ("sqrt(a)", "_mm256_sqrt_pd(a)", "_mm512_sqrt_pd(a)"),
-    "gs_max": ("isgreater(a, b) ? a : b", "_mm256_max_pd(a, b)", "_mm512_max_pd(a, b)"),
     "gs_abs": ("fabs(a)", "_mm256_andnot_pd(_mm256_set1_pd(-0.0), a)", "_mm512_abs_pd(a)"),
     "gs_flip": (
         "signbit(x) ? -a : a",
