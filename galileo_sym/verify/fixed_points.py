@@ -71,6 +71,12 @@ SCENES = {
 _LEVEL = {"theta": 0.0, "diameter": 1.0, "g": 9.81}
 _THROW = {"theta": 0.5, "v": 10.0, "g": 9.81}
 
+
+def _exact(**arguments):
+    """A point of hexadecimal floats."""
+    return {name: float.fromhex(text) for name, text in arguments.items()}
+
+
 KNOWN_HARD = {
     ("chord.descent_time", "drag"): [
         {**_LEVEL, "gamma": 1e-8},
@@ -86,6 +92,33 @@ KNOWN_HARD = {
         {"t": 1.0, "theta": 0.5, "g": 9.81, "gamma": 1e-9},
         {"t": 1.0, "theta": 0.5, "g": 9.81, "gamma": 1e-170},
         {"t": 1e250, "theta": 0.5, "g": 1e-300, "gamma": 1e250},
+    ],
+    # the worst of 100000 points a stratum, where friction nearly holds the bead
+    ("chord.distance", "friction_drag"): [
+        _exact(
+            t="0x1.bfba09a9cc79ap-1",
+            theta="0x1.e77414af7180cp-2",
+            g="0x1.73e1415a7f4b6p+4",
+            mu="0x1.f00561e9e4060p+0",
+            gamma="0x1.da02ed08b4230p-2",
+        ),
+    ],
+    ("chord.position", "friction"): [
+        _exact(
+            t="0x1.354617dbc9b7cp+2",
+            theta="-0x1.03d5e3e642e93p+0",
+            g="0x1.35d5fe14f3ee2p+3",
+            mu="0x1.3dabe44ede616p-1",
+        ),
+    ],
+    ("chord.position", "friction_drag"): [
+        _exact(
+            t="0x1.deb920e87da68p-1",
+            theta="0x1.b030f6a8e62a9p-1",
+            g="0x1.40230aa4bab38p+2",
+            mu="0x1.c6a7acae1615ap-1",
+            gamma="0x1.05b769b3b9cfcp+2",
+        ),
     ],
     ("chord.speed", "drag"): [
         {"t": 1.0, "theta": 0.5, "g": 9.81, "gamma": 1e-9},
