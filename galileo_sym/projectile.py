@@ -57,6 +57,8 @@ def flight_time(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting
     -----
     The impact time of the projectile paper, by its result (3), as 2 v sin θ/g times ``flight_factor``.
 
+    Claimed bound: 1 ulp, measured.
+
     Examples
     --------
     >>> float(round(flight_time(0.5, v=10.0, g=9.81, k=1e-9), 5))
@@ -88,6 +90,8 @@ def horizontal_range(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, ca
     Notes
     -----
     The range formula of the projectile paper, as 2 v² sin θ cos θ/g times ``range_factor``.
+
+    Claimed bound: 1 ulp, measured.
     """
     return serve(
         FUNCTIONS["horizontal_range"], (theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting
@@ -120,6 +124,8 @@ def position(t, theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting
     -----
     The solution of the equations of motion in the projectile paper, as v t cos θ φ₁(-kt) and
     v t sin θ φ₁(-kt) - g t² φ₂(-kt).
+
+    Claimed bound: 1 ulp, measured; for y of the larger of its two terms, which cancel at landing.
     """
     return serve(FUNCTIONS["position"], (t, theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting)
 
@@ -288,6 +294,8 @@ def best_angle(alpha, out=None, where=True, dtype=None, casting="same_kind"):
     Notes
     -----
     Theorem 3 of the projectile paper, both of its cases in one form.
+
+    Claimed bound: 1 ulp, measured.
     """
     return serve(FUNCTIONS["best_angle"], (alpha,), {}, out=out, where=where, dtype=dtype, casting=casting)
 

@@ -1,6 +1,6 @@
 """How long the primitives take: every version of the emitted C beside numpy.exp and numpy.expm1 in the same run.
 
-    python tools/primitive_speed.py [--compiler CC] [--points N] [--rounds R]
+    python tools/primitive_speed.py [--compiler CC] [--points N] [--rounds R] [--write]
 
 For each primitive: operations of the typical path, scalar latency (each call waits for the one before), and array
 throughput of each version on N doubles of its range, as medians of R interleaved rounds; ratios are to numpy.exp on as
@@ -9,6 +9,8 @@ many doubles. Shared machines are noisy: compare ratios, of one run.
 
 import argparse
 import ctypes
+import datetime
+import platform
 import statistics
 import sys
 import tempfile
@@ -20,12 +22,22 @@ from pathlib import Path
 import numpy as np
 
 from galileo_sym.codegen.kernels import TARGETS
+from galileo_sym.files import write_whole
 from galileo_sym.libraries import compile_library, find_compiler
 from galileo_sym.primitives.approximations import APPROXIMATIONS
 from galileo_sym.primitives.kernels import BANKED, KERNELS
 from galileo_sym.primitives.lines import near_lines
 from galileo_sym.verify.back_ends import generated_folder
 
+ROOT = Path(__file__).resolve().parent.parent
+HEAD = """\
+# Speed of the primitives
+
+Made by `python tools/primitive_speed.py --write` on {date}, on a shared {machine} machine: compare ratios. Operations
+are those of the typical path; a column picked out of a table counts apart. Scalar is the latency of a call, the rest is
+of arrays.
+
+"""
 LATENCY = """#include "galileo.h"
 double gs_latency(double (*f)(double), double x, long count);
 double gs_latency(double (*f)(double), double x, long count)
@@ -133,29 +145,43 @@ def latencies(library, names):
     return found
 
 
-def main(arguments=None):
-    """Measure, and print a Markdown table."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--compiler", help="command of the C compiler; by default $CC, cc, gcc or clang")
-    parser.add_argument("--points", type=int, default=10000, help="length of the arrays")
-    parser.add_argument("--rounds", type=int, default=301, help="interleaved rounds")
-    options = parser.parse_args(arguments)
-    compiler = [options.compiler] if options.compiler else find_compiler()
+def table(points, rounds, compiler):
+    """Measure, and return a Markdown table."""
     library, names = build(compiler), list(KERNELS)
-    found = medians(contenders(library, names, options.points), options.rounds)
+    found = medians(contenders(library, names, points), rounds)
     wait = latencies(library, names)
     exp = found["numpy.exp", ""]
-    print(f"{options.points} doubles of each range, {' '.join(compiler)}, medians of {options.rounds} rounds;")
-    expm1 = found["numpy.expm1", ""] / exp
-    print(f"numpy.exp {exp / options.points:.2f} ns an element, numpy.expm1 {expm1:.2f} times that\n")
-    print(f"| primitive | range | operations | scalar, ns | {' | '.join(f'{v}, × exp' for v in supported())} |")
-    print("|---" * (4 + len(supported())) + "|")
+    lines = [
+        f"{points} doubles of each range, {' '.join(compiler)}, medians of {rounds} rounds;",
+        f"numpy.exp {exp / points:.2f} ns an element, numpy.expm1 {found['numpy.expm1', ''] / exp:.2f} times that",
+        "",
+        f"| primitive | range | operations | scalar, ns | {' | '.join(f'{v}, × exp' for v in supported())} |",
+        "|---" * (4 + len(supported())) + "|",
+    ]
     for name in names:
         counts = operations(name)
         text = f"{sum(counts.values()) - counts['pick']} + {counts['pick']} picked"
         ratios = " | ".join(f"{found[name, version] / exp:.2f}" for version in supported())
         begin, end, _ = typical(name)
-        print(f"| {name} | {begin:.4g} to {end:.4g} | {text} | {wait[name]:.1f} | {ratios} |")
+        lines.append(f"| {name} | {begin:.4g} to {end:.4g} | {text} | {wait[name]:.1f} | {ratios} |")
+    return "\n".join(lines) + "\n"
+
+
+def main(arguments=None):
+    """Print the table, or write it to docs/primitive_speed.md."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--compiler", help="command of the C compiler; by default $CC, cc, gcc or clang")
+    parser.add_argument("--points", type=int, default=10000, help="length of the arrays")
+    parser.add_argument("--rounds", type=int, default=301, help="interleaved rounds")
+    parser.add_argument("--write", action="store_true", help="to docs/primitive_speed.md, with the date")
+    options = parser.parse_args(arguments)
+    compiler = [options.compiler] if options.compiler else find_compiler()
+    text = table(options.points, options.rounds, compiler)
+    if options.write:
+        page = HEAD.format(date=datetime.date.today().isoformat(), machine=platform.machine())
+        write_whole(ROOT / "docs" / "primitive_speed.md", f"{page}{text}".encode())
+    else:
+        print(text, end="")
     return 0
 
 

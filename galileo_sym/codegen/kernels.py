@@ -142,7 +142,10 @@ def public_source(template):
 
 def prototypes():
     """Return the declarations of the public functions, with what each computes."""
-    out = ["/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID. */\n"]
+    out = [
+        "/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID.\n"
+        " * These may raise FE_UNDERFLOW where the result does not. */\n"
+    ]
     for name, kernel in KERNELS.items():
         out.append(
             f"\n/* {kernel.doc}, x in [{kernel.domain[0]!r}, {kernel.domain[1]!r}] */\n"

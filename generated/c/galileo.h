@@ -519,7 +519,8 @@ void gs_lambert_linear_exponential_roots_n(size_t n, const double *a, const doub
 void gs_lambert_linear_exponential_rootsf(float a, float b, float c, float d, float *t0, float *tm1);
 void gs_lambert_linear_exponential_roots_nf(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1);
 
-/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID. */
+/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID.
+ * These may raise FE_UNDERFLOW where the result does not. */
 
 /* (1 - exp(-z))/z, x in [0.0, inf] */
 double gs_special_phi1m(double x);

@@ -157,13 +157,20 @@ def test_the_bound_of_a_primitive_is_that_of_plain_arguments(known):
         table.proved_bound("phi9")
 
 
-@pytest.mark.parametrize("name", table.SOURCES)
+@pytest.mark.parametrize("name", [*table.SOURCES, *table.SERVED])
 def test_check_refuses_another_c(generated, capsys, name):
     assert command.main(["--check"]) == 0
     path = generated / name
     path.write_bytes(path.read_bytes() + b"\n")
     assert command.main(["--check"]) == 1
     assert f"{name} has changed" in capsys.readouterr().err
+
+
+def test_check_refuses_bounds_of_another_proof(generated, capsys):
+    path = table.json_path()
+    path.write_text(path.read_text().replace('"galileo_sym/verify/proof": "', '"galileo_sym/verify/proof": "0'))
+    assert command.main(["--check"]) == 1
+    assert "galileo_sym/verify/proof has changed" in capsys.readouterr().err
 
 
 def test_check_refuses_what_it_cannot_parse(generated, capsys):

@@ -8,6 +8,7 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 
 from galileo_sym.files import write_whole
 from galileo_sym.libraries import CompilationError, NoCompilerError
@@ -33,12 +34,15 @@ FAILURES = (RefusedSource, Unproved, UnprovedApproximation, Overflow, NoReferenc
 
 
 def sources_in(folder):
-    """Return the texts of the C that is proved, by name."""
-    return {name: (folder / name).read_bytes().decode() for name in table.SOURCES}
+    """Return the texts of the C that is proved, and of what serves it, by name."""
+    return {name: (folder / name).read_bytes().decode() for name in (*table.SOURCES, *table.SERVED)}
 
 
 def _hashes(sources):
-    return {name: hashlib.sha256(text.encode()).hexdigest() for name, text in sources.items()}
+    """What the bounds are of: the C, and the proof itself."""
+    prover = "".join(path.read_text(encoding="utf-8") for path in sorted(Path(__file__).parent.glob("*.py")))
+    texts = sources | {"galileo_sym/verify/proof": prover}
+    return {name: hashlib.sha256(text.encode()).hexdigest() for name, text in texts.items()}
 
 
 @dataclass(frozen=True)
@@ -55,7 +59,7 @@ def proofs(sources):
     Parameters
     ----------
     sources : dict of str to str
-        The texts of `table.SOURCES` by name.
+        The texts of the C by name, as from `sources_in`.
 
     Returns
     -------
