@@ -96,6 +96,11 @@ def clash(*pairs):
     return both
 
 
+def if_zero(force, absent, present):
+    """Lanes that are undecided: where a force is 0, those that are so without it."""
+    return np.where(force == 0.0, absent, present)
+
+
 def settle(value, void, undecided=False, rest=False, at_rest=0.0):
     """Round a result to doubles: at_rest in the lanes at rest, NaN where void or undecided.
 

@@ -4,7 +4,7 @@
 from math import inf
 
 from ._angle import angle, cosine, driving, sine
-from ._kernel import admit, clash, moving, quiet, settle
+from ._kernel import admit, clash, if_zero, moving, quiet, settle
 from ._primitives import acot, descent_factor, phi1m, phi2m
 from ._scaled import add, constant, div, load, mul, scale, sqrt
 
@@ -702,8 +702,9 @@ def synchronous_circle_friction_drag(t, g, mu, gamma):
         (gamma, "nonnegative"),
     )
     t, g, mu, gamma = arguments
-    undecided_X = clash(((t, g, mu), (gamma,)))
+    undecided_X = if_zero(mu, False, clash(((t, g, mu), (gamma,))))
     undecided_Y = clash(((t, g), (gamma,)))
+    undecided_R = clash(((t, g, mu), (gamma,)))
     with quiet():
         t = load(t)
         g = load(g)
@@ -718,7 +719,7 @@ def synchronous_circle_friction_drag(t, g, mu, gamma):
     return (
         settle(X, void, undecided_X),
         settle(Y, void, undecided_Y),
-        settle(R, void, undecided_X),
+        settle(R, void, undecided_R),
     )
 
 

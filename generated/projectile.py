@@ -4,7 +4,7 @@
 from ._angle import angle, cosine, sine
 from ._decay import decay, fading, first, second
 from ._elevation import arctangent, right_angle
-from ._kernel import admit, at_most, clash, idle, quiet, settle, within
+from ._kernel import admit, at_most, clash, idle, if_zero, quiet, settle, within
 from ._launch import Balance, launch
 from ._primitives import best_elevation, flight_factor, max_range_factor, phi0m, phi1m, phi2m, range_balance, range_factor, range_loss
 from ._scaled import add, constant, div, load, mul, scale, sqrt, sub
@@ -287,7 +287,7 @@ def velocity_drag(t, theta, v, g, k):
         (k, "nonnegative"),
     )
     t, theta, v, g, k = arguments
-    undecided_vx = clash(((v,), (t, k)))
+    undecided_vx = if_zero(k, False, clash(((v,), (t, k))))
     undecided_vy = clash(((v,), (t, g)), ((v,), (t, k)), ((g,), (k,)))
     with quiet():
         t = load(t)

@@ -1,7 +1,14 @@
 """The C99 back end: one source a paper, and the public header."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import PRIMITIVE_TEXT, ROUTINE_TEXT, call_text, clash_pairs, counts_text, sources_text
+from galileo_sym.codegen.printing import (
+    PRIMITIVE_TEXT,
+    ROUTINE_TEXT,
+    call_text,
+    counts_text,
+    sources_text,
+    undecided_text,
+)
 from galileo_sym.codegen.schedule import balance_name, schedule
 from galileo_sym.solvers import SOLVERS
 
@@ -11,6 +18,7 @@ _DOMAIN_TESTS = {
     "chord angle": "gs_chord_angle",
     "elevation": "gs_elevation",
 }
+_DECIDED = "0"
 _ANGLES = ("chord angle", "elevation")
 _TYPES = {"angle": "gs_direction", "decay": "gs_decay_values", "launch": "gs_angles"}
 _AT_REST = {0.0: "0.0", float("inf"): "INFINITY"}
@@ -72,11 +80,14 @@ def _any(conditions):
 
 def _result(function, force_set, output, node):
     value = call_text(node, "gs_")
-    pairs = clash_pairs(function, force_set, output)
-    if not pairs:
-        return f"gs_store({value})"
+    undecided = undecided_text(function, force_set, output, _clash, "({0}_in == 0.0 ? {1} : {2})".format)
+    return f"gs_store({value})" if undecided == _DECIDED else f"gs_settle({value}, {undecided})"
+
+
+def _clash(pairs):
+    """Condition under which arguments of both groups of a pair are infinite."""
     seen = [[_any(f"isinf({n}_in)" for n in group) for group in pair] for pair in pairs]
-    return f"gs_settle({value}, {_any(f'({one} && {other})' for one, other in seen)})"
+    return _any(f"({one} && {other})" for one, other in seen) if pairs else _DECIDED
 
 
 def _routine_kernel(function, force_set):

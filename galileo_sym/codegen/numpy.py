@@ -1,13 +1,21 @@
 """The NumPy back end: one module a paper, importing NumPy alone."""
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import PRIMITIVE_TEXT, ROUTINE_TEXT, call_text, clash_pairs, counts_text, sources_text
+from galileo_sym.codegen.printing import (
+    PRIMITIVE_TEXT,
+    ROUTINE_TEXT,
+    call_text,
+    counts_text,
+    sources_text,
+    undecided_text,
+)
 from galileo_sym.codegen.schedule import TABLE_CALLS, balance_name, schedule
 from galileo_sym.solvers import SOLVERS
 
 _SCALED = ("add", "constant", "div", "load", "mul", "scale", "sqrt", "sub")
 _ANGLE = ("angle", "cosine", "driving", "sine")
-_KERNEL = ("admit", "at_most", "clash", "idle", "moving", "quiet", "settle", "within")
+_DECIDED = "False"
+_KERNEL = ("admit", "at_most", "clash", "idle", "if_zero", "moving", "quiet", "settle", "within")
 _MODULES = {
     "_angle": _ANGLE,
     "_decay": ("decay", "fading", "first", "second"),
@@ -34,17 +42,20 @@ def _docstring(function, force_set, operations):
 
 
 def _clash_text(pairs):
+    """When arguments of both groups of a pair are infinite."""
+    if not pairs:
+        return _DECIDED
     pairs = [[f"({', '.join(group)}{',' * (len(group) == 1)})" for group in pair] for pair in pairs]
     return f"clash({', '.join(f'({one}, {other})' for one, other in pairs)})"
 
 
 def _undecided(function, force_set):
     """Name for each distinct set of clashing arguments, and the outputs' names for theirs (None: always decided)."""
-    pairs = [clash_pairs(function, force_set, output) for output in function.outputs]
-    texts = [_clash_text(p) if p else None for p in pairs]
+    choose = "if_zero({0}, {1}, {2})".format
+    texts = [undecided_text(function, force_set, output, _clash_text, choose) for output in function.outputs]
     names = {}
     for output, text in zip(function.outputs, texts, strict=True):
-        if text:
+        if text != _DECIDED:
             names.setdefault(text, f"undecided_{output.name}")
     return names, [names.get(text) for text in texts]
 

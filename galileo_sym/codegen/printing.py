@@ -57,3 +57,37 @@ def clash_pairs(function, force_set, output):
         if all(pair):
             pairs.append(pair)
     return pairs
+
+
+def _rid_of(pairs, force):
+    """Pairs, in no order, of which no member is a force: one that is 0 is not infinite."""
+    reduced = {tuple(frozenset(group) - {force} for group in pair) for pair in pairs}
+    return {pair for pair in reduced if all(pair)}
+
+
+def undecided_text(function, force_set, output, told, choose):
+    """Return when the limit of an output is undecided; where a force is 0 in an array, as its absence has it.
+
+    Parameters
+    ----------
+    function : galileo_sym.catalogue.Function
+    force_set : str
+    output : galileo_sym.catalogue.Output
+    told : callable
+        The text of pairs, as from `clash_pairs`; of none, too.
+    choose : callable
+        The text of a choice, from the name of a force, the text where it is 0, and where it is not.
+    """
+    variants = {frozenset(names): key for key, (names, _) in function.variants.items()}
+
+    def text(left, acting):
+        pairs = clash_pairs(function, variants[frozenset(acting)], output)
+        for place, force in enumerate(left):
+            absent = clash_pairs(function, variants[frozenset(acting - {force})], output)
+            if _rid_of(pairs, force) != _rid_of(absent, force):
+                others = left[place + 1 :]
+                return choose(force, text(others, acting - {force}), text(others, acting))
+        return told(pairs)
+
+    forces = function.variants[force_set][0]
+    return text(list(forces), set(forces))

@@ -342,7 +342,7 @@ void gs_projectile_velocity_drag(double t_in, double theta_in, double v_in, doub
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled S = gs_sine(a);
-    *vx_out = gs_settle(gs_mul(gs_mul(v, fade), C), (isinf(v_in) && (isinf(t_in) || isinf(k_in))));
+    *vx_out = gs_settle(gs_mul(gs_mul(v, fade), C), (k_in == 0.0 ? 0 : (isinf(v_in) && (isinf(t_in) || isinf(k_in)))));
     *vy_out = gs_settle(gs_sub(gs_mul(gs_mul(v, fade), S), gs_mul(gs_mul(t, g), gs_phi1m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && (isinf(t_in) || isinf(k_in))) || (isinf(g_in) && isinf(k_in))));
 }
 

@@ -6972,7 +6972,7 @@ void gs_chord_synchronous_circle_friction_drag(double t_in, double g_in, double 
     const gs_scaled fall = gs_mul(gs_mul(t, t), g);
     const gs_scaled z = gs_mul(t, gamma);
     const gs_scaled shared = gs_mul(fall, gs_phi2m(z));
-    *X_out = gs_settle(gs_scale(gs_mul(mu, shared), -1), ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && isinf(gamma_in)));
+    *X_out = gs_settle(gs_scale(gs_mul(mu, shared), -1), (mu_in == 0.0 ? 0 : ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && isinf(gamma_in))));
     *Y_out = gs_settle(gs_scale(shared, -1), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
     *R_out = gs_settle(gs_mul(gs_sqrt(gs_add(gs_constant(1.0), gs_mul(mu, mu))), gs_scale(shared, -1)), ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && isinf(gamma_in)));
 }
@@ -8321,7 +8321,7 @@ void gs_projectile_velocity_drag(double t_in, double theta_in, double v_in, doub
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled S = gs_sine(a);
-    *vx_out = gs_settle(gs_mul(gs_mul(v, fade), C), (isinf(v_in) && (isinf(t_in) || isinf(k_in))));
+    *vx_out = gs_settle(gs_mul(gs_mul(v, fade), C), (k_in == 0.0 ? 0 : (isinf(v_in) && (isinf(t_in) || isinf(k_in)))));
     *vy_out = gs_settle(gs_sub(gs_mul(gs_mul(v, fade), S), gs_mul(gs_mul(t, g), gs_phi1m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && (isinf(t_in) || isinf(k_in))) || (isinf(g_in) && isinf(k_in))));
 }
 
