@@ -9,8 +9,9 @@ from importlib import resources
 
 from mpmath import mp, mpf
 
+from galileo_sym.primitives import coefficient_text
 from galileo_sym.primitives.multiprecision import mp_value
-from galileo_sym.primitives.pieces import COUNT, Partition, Piece, fit_piece
+from galileo_sym.primitives.pieces import COUNT, Partition, fit_piece
 
 TOLERANCE = 2.0**-58
 _FOLDER = resources.files("galileo_sym.primitives") / "coefficients"
@@ -143,16 +144,14 @@ def fit(name):
 
 
 def to_text(name, pieces):
-    """Return the committed form: one line a piece, in hexadecimal, so that nothing is rounded on the way."""
+    """Return the committed form of the pieces of an approximation."""
     approximation = APPROXIMATIONS[name]
     head = [
-        f"# {name}: {approximation.doc}",
-        f"# made by `python -m galileo_sym.primitives.remake {name}`; offset {approximation.offset!r},"
+        f"{name}: {approximation.doc}",
+        f"made by `python -m galileo_sym.primitives.remake {name}`; offset {approximation.offset!r},"
         f" degree {approximation.degree}",
-        "# a line a piece: centre, c0, its rest, c1, its rest, c2, c3, ...",
     ]
-    rows = [" ".join(v.hex() for v in (piece.centre, *piece.coefficients)) for piece in pieces]
-    return "\n".join([*head, *rows]) + "\n"
+    return coefficient_text.to_text(head, pieces)
 
 
 def path_of(name):
@@ -168,6 +167,4 @@ def coefficients(name):
     FileNotFoundError
         If they were never made: run ``python -m galileo_sym.primitives.remake``.
     """
-    lines = path_of(name).read_text(encoding="utf-8").splitlines()
-    rows = [[float.fromhex(v) for v in line.split()] for line in lines if not line.startswith("#")]
-    return tuple(Piece(row[0], tuple(row[1:]), 0.0) for row in rows)
+    return coefficient_text.read(path_of(name))

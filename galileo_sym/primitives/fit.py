@@ -4,23 +4,15 @@ On a piece with centre c the function is c0 + d (c1 + d (c2 + ...)), d = x - c, 
 terms below 2**-8 of the result are rounded to doubles, and the result is an unevaluated sum hi + lo.
 """
 
-from dataclasses import dataclass
 from math import frexp, ldexp
 
 from mpmath import mp, mpf
 
+from galileo_sym.primitives.pieces import Piece
+
 PER_BINADE = 16
 _DIGITS = 45
 _CHECKS = 7
-
-
-@dataclass(frozen=True)
-class Piece:
-    """One polynomial: centre, coefficients (c0, c0_lo, c1, c1_lo, c2, ..., cn), and the largest relative error seen."""
-
-    centre: float
-    coefficients: tuple
-    error: float
 
 
 def pieces_up_to(x_max):

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from mpmath import mp, mpf
 
-from galileo_sym.primitives.fit import PER_BINADE, Piece, fit, pieces_up_to
+from galileo_sym.primitives import coefficient_text
+from galileo_sym.primitives.fit import PER_BINADE, fit, pieces_up_to
 from galileo_sym.primitives.multiprecision import mp_value
 
 DEGREE = 11
@@ -141,15 +142,13 @@ def path_of(name):
 
 
 def to_text(name, fitted_pieces):
-    """Return the committed form: one line a piece, in hexadecimal, so that nothing is rounded on the way."""
+    """Return the committed form of the pieces of a table."""
     head = [
-        f"# {name}: {TABLES[name].doc}",
-        f"# made by `python -m galileo_sym.primitives.remake scaled/{name}`; {PER_BINADE} pieces a binade of 1 + x,"
+        f"{name}: {TABLES[name].doc}",
+        f"made by `python -m galileo_sym.primitives.remake scaled/{name}`; {PER_BINADE} pieces a binade of 1 + x,"
         f" degree {DEGREE}",
-        "# a line a piece: centre, c0, its rest, c1, its rest, c2, c3, ...",
     ]
-    rows = [" ".join(v.hex() for v in (piece.centre, *piece.coefficients)) for piece in fitted_pieces]
-    return "\n".join([*head, *rows]) + "\n"
+    return coefficient_text.to_text(head, fitted_pieces)
 
 
 @cache
@@ -161,9 +160,7 @@ def pieces(name):
     FileNotFoundError
         If they were never made: run ``python -m galileo_sym.primitives.remake``.
     """
-    lines = path_of(name).read_text(encoding="utf-8").splitlines()
-    rows = [[float.fromhex(v) for v in line.split()] for line in lines if not line.startswith("#")]
-    return tuple(Piece(row[0], tuple(row[1:]), 0.0) for row in rows)
+    return coefficient_text.read(path_of(name))
 
 
 @cache
