@@ -235,26 +235,26 @@ def main(argv=None):
             text, committed = page.read_text(encoding="utf-8") if page.is_file() else "", table.read()
             for name in (committed or {}).get("not proved", ()):
                 print(_unknown(name))
-            return _said(stale(committed, folder, text), "prove anew: make prove")
+            return said(stale(committed, folder, text), "prove anew: make prove")
         sources = sources_in(folder)
         known = proofs(sources)
         if unknown := [name for name in chosen.names if name not in known]:
             parser.error(f"no primitive {', '.join(unknown)}; there are {', '.join(known)}")
         records, faults = _proved(known, chosen.names or known, folder, chosen.points, chosen.seed)
     except FAILURES as cause:
-        return _said([str(cause)], "nothing is proved")
+        return said([str(cause)], "nothing is proved")
     if not faults and not chosen.names:
         write_whole(table.json_path(), table.content(_hashes(sources), records, set(known) - set(records)).encode())
         write_whole(page, table.page(table.read()).encode())
-    return _said(faults, "nothing was written")
+    return said(faults, "nothing was written")
 
 
 def _unknown(name):
     return f"{name:16} not proved: its definition is not in approximation_equations.py or frame_forms.py"
 
 
-def _said(faults, advice):
-    """Print what failed, and return the exit code."""
+def said(faults, advice):
+    """Print what failed and what to do, and return the exit code."""
     for fault in faults:
         print(fault, file=sys.stderr)
     if faults:

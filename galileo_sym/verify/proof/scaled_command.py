@@ -17,6 +17,7 @@ from galileo_sym.files import write_whole
 from . import scaled_source, table
 from .approximation import Unproved as UnprovedApproximation
 from .binary64 import Overflow
+from .command import said
 from .emitted import RefusedSource
 from .replay import Unproved
 from .scaled_bounds import table_bounds
@@ -158,14 +159,6 @@ def _proved(parsed, names, hashes):
     return records, faults
 
 
-def _said(faults, advice):
-    for fault in faults:
-        print(fault, file=sys.stderr)
-    if faults:
-        print(advice, file=sys.stderr)
-    return 1 if faults else 0
-
-
 def main(argv=None):
     """Run the command.
 
@@ -188,10 +181,10 @@ def main(argv=None):
         if chosen.check:
             known = json.loads(committed.read_text(encoding="utf-8")) if committed.is_file() else None
             text = shown.read_text(encoding="utf-8") if shown.is_file() else ""
-            return _said(stale(known, folder, text), "prove anew: make prove")
+            return said(stale(known, folder, text), "prove anew: make prove")
         parsed, lookup, hashes = source(folder)
     except RefusedSource as cause:
-        return _said([str(cause)], "nothing is proved")
+        return said([str(cause)], "nothing is proved")
     if unknown := [name for name in chosen.names if name not in parsed.tables]:
         parser.error(f"no table {', '.join(unknown)}; there are {', '.join(parsed.tables)}")
     records, faults = _proved(parsed, chosen.names or list(parsed.tables), hashes)
@@ -199,7 +192,7 @@ def main(argv=None):
         known = {"lookup": lookup, "tables": {name: records[name] for name in parsed.tables}}
         write_whole(committed, (json.dumps(known, indent=1) + "\n").encode())
         write_whole(shown, page(known).encode())
-    return _said(faults, "nothing was written")
+    return said(faults, "nothing was written")
 
 
 if __name__ == "__main__":
