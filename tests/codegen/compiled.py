@@ -25,13 +25,18 @@ def compilers():
     return list(found.values())
 
 
-@cache
-def library(compiler=None):
-    """Build and load the emitted C; skips the test where there is no compiler."""
+def first_compiler():
+    """Name of the first C compiler; skips the test where there is none."""
     found = compilers()
     if not found:
         pytest.skip("no C compiler on PATH: the C back end is not tested")
-    return ctypes.CDLL(str(place(compiler or found[0])))
+    return found[0]
+
+
+@cache
+def library(compiler=None):
+    """Build and load the emitted C; skips the test where there is no compiler."""
+    return ctypes.CDLL(str(place(compiler or first_compiler())))
 
 
 @cache

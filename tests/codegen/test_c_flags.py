@@ -120,7 +120,7 @@ int main(void)
 
 
 def test_exceptions(tmp_path):
-    compiler = compiled.library() and compiled.compilers()[0]
+    compiler = compiled.first_compiler()
     cases = "\n".join(f"    CASE({expression}, {kind}, {flags});" for expression, kind, flags in CASES)
     driver = tmp_path / "flags.c"
     driver.write_text(DRIVER.format(cases=cases))

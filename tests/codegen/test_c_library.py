@@ -72,22 +72,19 @@ def test_one_file_is_plain_c99(tmp_path):
     """It has no word of an extension but attributes behind a condition, and compiles where these mean nothing."""
     text = re.sub(r"/\*.*?\*/", "", ONE_FILE.read_text(), flags=re.DOTALL)
     assert EXTENSIONS.findall(text) == []
-    compiled.library()
     flags = [*FLAGS, "-O0", "-D__attribute__(x)="]
-    _done(compiled.compilers()[0], *flags, "-c", ONE_FILE, "-o", tmp_path / "galileo.o")
+    _done(compiled.first_compiler(), *flags, "-c", ONE_FILE, "-o", tmp_path / "galileo.o")
 
 
 def test_the_example_by_one_line(tmp_path):
-    compiled.library()
     program = tmp_path / "descent_time"
     flags = ["-std=c99", f"-I{compiled.SOURCES}"]
-    _done(compiled.compilers()[0], *flags, EXAMPLE, ONE_FILE, "-o", program, "-lm")
+    _done(compiled.first_compiler(), *flags, EXAMPLE, ONE_FILE, "-o", program, "-lm")
     _tells_descent_times(_done(program))
 
 
 def test_cmake_builds_and_installs_and_pkg_config_finds(tmp_path):
-    cmake, pkg_config = _needs("cmake"), _needs("pkg-config")
-    compiled.library()
+    cmake, pkg_config, compiler = _needs("cmake"), _needs("pkg-config"), compiled.first_compiler()
     build, prefix = tmp_path / "build", tmp_path / "prefix"
     options = [f"-DCMAKE_INSTALL_PREFIX={prefix}", "-DCMAKE_BUILD_TYPE=Release", "-DGALILEO_PORTABLE=ON"]
     _done(cmake, "-S", compiled.SOURCES, "-B", build, *options, "-DCMAKE_INSTALL_LIBDIR=lib")
@@ -97,7 +94,7 @@ def test_cmake_builds_and_installs_and_pkg_config_finds(tmp_path):
     environment = {**os.environ, "PKG_CONFIG_PATH": str(prefix / "lib" / "pkgconfig")}
     flags = _done(pkg_config, "--cflags", "--libs", "--static", "galileo-sym", env=environment).split()
     program = tmp_path / "installed"
-    _done(compiled.compilers()[0], "-std=c99", EXAMPLE, "-o", program, *flags)
+    _done(compiler, "-std=c99", EXAMPLE, "-o", program, *flags)
     _tells_descent_times(_done(program))
     consumer = tmp_path / "consumer"
     consumer.mkdir()
