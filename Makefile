@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
 .DEFAULT_GOAL := all
-.PHONY: all install test mutants coverage tables exhaustive same-bits hard-cases prove prove-check lint format clean help
+.PHONY: all install test mutants coverage tables exhaustive same-bits hard-cases prove prove-check large-samples lint format clean help
 
 all: install ## install, then derive, emit and verify everything
 	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
@@ -50,6 +50,9 @@ prove-check: install ## refuse proved bounds that are of another C
 	$(BIN)/python -m galileo_sym.verify.proof --check
 	$(BIN)/python -m galileo_sym.verify.proof.scaled_command --check
 
+large-samples: install ## verify every public function at 100000 points a stratum; goes on where it was interrupted
+	$(BIN)/python tools/large_samples.py
+
 lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
@@ -65,4 +68,4 @@ clean: ## remove what is made: .venv, build/, caches
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 help: ## list the targets
-	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "make %-11s %s\n", $$1, $$2}'
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | awk -F ':.*## ' '{printf "make %-13s %s\n", $$1, $$2}'

@@ -189,19 +189,39 @@ def measure(sample, results):
     -------
     Measurement
     """
-    outputs = FUNCTIONS[sample.task.function].outputs
-    bounds = [error_bounds(values, exact) for values, exact in zip(results, sample.exact, strict=True)]
-    least = max(lower.max() for lower, _ in bounds)
-    upper = np.maximum.reduce([upper for _, upper in bounds])
-    largest, at, of = -1.0, 0, outputs[0]
-    for index in np.flatnonzero(upper >= least):
-        for name, error in zip(outputs, _errors(sample, results, index), strict=True):
-            if error > largest:
-                largest, at, of = error, index, name
-        if largest >= upper.max():
-            break
+    found = [largest(sample, results, place) for place in range(len(results))]
+    error, at, of = max(((e, i, place) for place, (e, i) in enumerate(found)), key=lambda one: one[0])
     recorded = None if sample.task.recorded is None else max(_errors(sample, results, -1))
-    return Measurement(largest, of, sample.point(at), recorded)
+    return Measurement(error, FUNCTIONS[sample.task.function].outputs[of], sample.point(at), recorded)
+
+
+def largest(sample, results, place):
+    """The largest error of one output, and the index of the point it occurs at.
+
+    Parameters
+    ----------
+    sample : Sample
+        The points and references.
+    results : tuple of ndarray
+        As from `evaluate`.
+    place : int
+        Which of the outputs.
+
+    Returns
+    -------
+    error : float
+        In ulp.
+    index : int
+    """
+    lower, upper = error_bounds(results[place], sample.exact[place])
+    error, at = -1.0, 0
+    for index in np.flatnonzero(upper >= lower.max()):
+        here = ulp_error(results[place][index], sample.references(index)[place])
+        if here > error:
+            error, at = here, index
+        if error >= upper.max():
+            break
+    return error, at
 
 
 def _errors(sample, results, index):

@@ -23,8 +23,14 @@ _AHEAD = 3  # samples a process that are drawn or wait to be judged
 _WORTH_A_PROCESS = 4000  # points; below that a second process takes longer to start than it saves
 
 
-def _samples(tasks, processes):
-    """Samples of all tasks as (position, sample), in any order; references in several processes if it pays."""
+def samples(tasks, processes):
+    """Samples of all tasks as (position, sample), in any order; references in several processes if it pays.
+
+    Parameters
+    ----------
+    tasks : sequence of Task
+    processes : int
+    """
     if processes == 1 or sum(task.points for task in tasks) < _WORTH_A_PROCESS:
         for position, task in enumerate(tasks):
             yield position, take_sample(task)
@@ -145,7 +151,7 @@ def run(
     outcomes = {}
     processes = processes or min(_PROCESSES, os.cpu_count() or 1)
     try:
-        for done, (position, sample) in enumerate(_samples(tasks, processes), 1):
+        for done, (position, sample) in enumerate(samples(tasks, processes), 1):
             place = chosen[position]
             # an update accepts a recorded input that errs more than before, up to the bound
             found, worst = judge(sample, back_ends, None if update else records.get(place))
