@@ -427,6 +427,100 @@ from ._pieces import (
     ARCTANGENT_TAIL_C11,
     ARCTANGENT_TAIL_C12,
     ARCTANGENT_TAIL_C13,
+    GROWN_LOSS_CENTRE,
+    GROWN_LOSS_C0,
+    GROWN_LOSS_C0_LO,
+    GROWN_LOSS_C1,
+    GROWN_LOSS_C1_LO,
+    GROWN_LOSS_C2,
+    GROWN_LOSS_C3,
+    GROWN_LOSS_C4,
+    GROWN_LOSS_C5,
+    GROWN_LOSS_C6,
+    GROWN_LOSS_C7,
+    GROWN_LOSS_C8,
+    GROWN_LOSS_C9,
+    GROWN_LOSS_C10,
+    GROWN_LOSS_C11,
+    GROWN_LOSS_C12,
+    GROWN_LOSS_C13,
+    GROWN_LOSS_C14,
+    GROWN_LOSS_C15,
+    GROWN_LOSS_C16,
+    GROWN_LOSS_TAIL_CENTRE,
+    GROWN_LOSS_TAIL_C0,
+    GROWN_LOSS_TAIL_C0_LO,
+    GROWN_LOSS_TAIL_C1,
+    GROWN_LOSS_TAIL_C1_LO,
+    GROWN_LOSS_TAIL_C2,
+    GROWN_LOSS_TAIL_C3,
+    GROWN_LOSS_TAIL_C4,
+    GROWN_LOSS_TAIL_C5,
+    GROWN_LOSS_TAIL_C6,
+    GROWN_LOSS_TAIL_C7,
+    GROWN_LOSS_TAIL_C8,
+    GROWN_LOSS_TAIL_C9,
+    GROWN_LOSS_TAIL_C10,
+    GROWN_LOSS_TAIL_C11,
+    GROWN_LOSS_TAIL_C12,
+    GROWN_LOSS_TAIL_C13,
+    GROWN_LOSS_TAIL_C14,
+    GROWN_LOSS_TAIL_C15,
+    GROWN_BALANCE_CENTRE,
+    GROWN_BALANCE_C0,
+    GROWN_BALANCE_C0_LO,
+    GROWN_BALANCE_C1,
+    GROWN_BALANCE_C1_LO,
+    GROWN_BALANCE_C2,
+    GROWN_BALANCE_C3,
+    GROWN_BALANCE_C4,
+    GROWN_BALANCE_C5,
+    GROWN_BALANCE_C6,
+    GROWN_BALANCE_C7,
+    GROWN_BALANCE_C8,
+    GROWN_BALANCE_C9,
+    GROWN_BALANCE_C10,
+    GROWN_BALANCE_C11,
+    GROWN_BALANCE_C12,
+    GROWN_BALANCE_C13,
+    GROWN_BALANCE_C14,
+    GROWN_BALANCE_C15,
+    GROWN_BALANCE_C16,
+    GROWN_BALANCE_C17,
+    GROWN_BALANCE_TAIL_CENTRE,
+    GROWN_BALANCE_TAIL_C0,
+    GROWN_BALANCE_TAIL_C0_LO,
+    GROWN_BALANCE_TAIL_C1,
+    GROWN_BALANCE_TAIL_C1_LO,
+    GROWN_BALANCE_TAIL_C2,
+    GROWN_BALANCE_TAIL_C3,
+    GROWN_BALANCE_TAIL_C4,
+    GROWN_BALANCE_TAIL_C5,
+    GROWN_BALANCE_TAIL_C6,
+    GROWN_BALANCE_TAIL_C7,
+    GROWN_BALANCE_TAIL_C8,
+    GROWN_BALANCE_TAIL_C9,
+    GROWN_BALANCE_TAIL_C10,
+    GROWN_BALANCE_TAIL_C11,
+    GROWN_BALANCE_TAIL_C12,
+    GROWN_BALANCE_TAIL_C13,
+    OMEGA_START_CENTRE,
+    OMEGA_START_C0,
+    OMEGA_START_C0_LO,
+    OMEGA_START_C1,
+    OMEGA_START_C1_LO,
+    OMEGA_START_C2,
+    OMEGA_START_C3,
+    OMEGA_START_C4,
+    OMEGA_START_C5,
+    OMEGA_START_C6,
+    OMEGA_START_C7,
+    OMEGA_START_C8,
+    OMEGA_START_C9,
+    OMEGA_START_C10,
+    OMEGA_START_C11,
+    OMEGA_START_C12,
+    OMEGA_START_C13,
     EXP_MINUS_SIXTEENTH,
     EXP_MINUS_SIXTEENTH_LO,
     EXP_MANTISSA_SIXTEENTH,
@@ -2173,6 +2267,384 @@ def arctangent_tail_near_pair(x, x_lo):
     s = c0 + p
     s_rest = (c0 - s) + p
     s_lo = p_all + ARCTANGENT_TAIL_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def grown_loss_near(x):
+    """(1 + b)^2 times the slope of -range_factor, on its pieces."""
+    u = x + 0.5
+    i = op.piece(u, 4088, 50)
+    d = x - GROWN_LOSS_CENTRE[i]
+    q16 = GROWN_LOSS_C16[i]
+    q15 = q16 * d + GROWN_LOSS_C15[i]
+    q14 = q15 * d + GROWN_LOSS_C14[i]
+    q13 = q14 * d + GROWN_LOSS_C13[i]
+    q12 = q13 * d + GROWN_LOSS_C12[i]
+    q11 = q12 * d + GROWN_LOSS_C11[i]
+    q10 = q11 * d + GROWN_LOSS_C10[i]
+    q9 = q10 * d + GROWN_LOSS_C9[i]
+    q8 = q9 * d + GROWN_LOSS_C8[i]
+    q7 = q8 * d + GROWN_LOSS_C7[i]
+    q6 = q7 * d + GROWN_LOSS_C6[i]
+    q5 = q6 * d + GROWN_LOSS_C5[i]
+    q4 = q5 * d + GROWN_LOSS_C4[i]
+    q3 = q4 * d + GROWN_LOSS_C3[i]
+    q2 = q3 * d + GROWN_LOSS_C2[i]
+    c1 = GROWN_LOSS_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + GROWN_LOSS_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    c0 = GROWN_LOSS_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_lo + GROWN_LOSS_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def grown_loss_near_pair(x, x_lo):
+    """The same at x + x_lo."""
+    u = x + 0.5
+    i = op.piece(u, 4088, 50)
+    d = x - GROWN_LOSS_CENTRE[i]
+    q16 = GROWN_LOSS_C16[i]
+    q15 = q16 * d + GROWN_LOSS_C15[i]
+    q14 = q15 * d + GROWN_LOSS_C14[i]
+    q13 = q14 * d + GROWN_LOSS_C13[i]
+    q12 = q13 * d + GROWN_LOSS_C12[i]
+    q11 = q12 * d + GROWN_LOSS_C11[i]
+    q10 = q11 * d + GROWN_LOSS_C10[i]
+    q9 = q10 * d + GROWN_LOSS_C9[i]
+    q8 = q9 * d + GROWN_LOSS_C8[i]
+    q7 = q8 * d + GROWN_LOSS_C7[i]
+    q6 = q7 * d + GROWN_LOSS_C6[i]
+    q5 = q6 * d + GROWN_LOSS_C5[i]
+    q4 = q5 * d + GROWN_LOSS_C4[i]
+    q3 = q4 * d + GROWN_LOSS_C3[i]
+    q2 = q3 * d + GROWN_LOSS_C2[i]
+    c1 = GROWN_LOSS_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + GROWN_LOSS_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    slope = t + h
+    p_all = x_lo * slope + p_lo
+    c0 = GROWN_LOSS_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_all + GROWN_LOSS_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def grown_loss_tail_near(x):
+    """grown_loss, continued, on its pieces."""
+    u = x + 0.5
+    i = op.piece(u, 4104, 50)
+    d = x - GROWN_LOSS_TAIL_CENTRE[i]
+    q15 = GROWN_LOSS_TAIL_C15[i]
+    q14 = q15 * d + GROWN_LOSS_TAIL_C14[i]
+    q13 = q14 * d + GROWN_LOSS_TAIL_C13[i]
+    q12 = q13 * d + GROWN_LOSS_TAIL_C12[i]
+    q11 = q12 * d + GROWN_LOSS_TAIL_C11[i]
+    q10 = q11 * d + GROWN_LOSS_TAIL_C10[i]
+    q9 = q10 * d + GROWN_LOSS_TAIL_C9[i]
+    q8 = q9 * d + GROWN_LOSS_TAIL_C8[i]
+    q7 = q8 * d + GROWN_LOSS_TAIL_C7[i]
+    q6 = q7 * d + GROWN_LOSS_TAIL_C6[i]
+    q5 = q6 * d + GROWN_LOSS_TAIL_C5[i]
+    q4 = q5 * d + GROWN_LOSS_TAIL_C4[i]
+    q3 = q4 * d + GROWN_LOSS_TAIL_C3[i]
+    q2 = q3 * d + GROWN_LOSS_TAIL_C2[i]
+    c1 = GROWN_LOSS_TAIL_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + GROWN_LOSS_TAIL_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    c0 = GROWN_LOSS_TAIL_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_lo + GROWN_LOSS_TAIL_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def grown_loss_tail_near_pair(x, x_lo):
+    """The same at x + x_lo."""
+    u = x + 0.5
+    i = op.piece(u, 4104, 50)
+    d = x - GROWN_LOSS_TAIL_CENTRE[i]
+    q15 = GROWN_LOSS_TAIL_C15[i]
+    q14 = q15 * d + GROWN_LOSS_TAIL_C14[i]
+    q13 = q14 * d + GROWN_LOSS_TAIL_C13[i]
+    q12 = q13 * d + GROWN_LOSS_TAIL_C12[i]
+    q11 = q12 * d + GROWN_LOSS_TAIL_C11[i]
+    q10 = q11 * d + GROWN_LOSS_TAIL_C10[i]
+    q9 = q10 * d + GROWN_LOSS_TAIL_C9[i]
+    q8 = q9 * d + GROWN_LOSS_TAIL_C8[i]
+    q7 = q8 * d + GROWN_LOSS_TAIL_C7[i]
+    q6 = q7 * d + GROWN_LOSS_TAIL_C6[i]
+    q5 = q6 * d + GROWN_LOSS_TAIL_C5[i]
+    q4 = q5 * d + GROWN_LOSS_TAIL_C4[i]
+    q3 = q4 * d + GROWN_LOSS_TAIL_C3[i]
+    q2 = q3 * d + GROWN_LOSS_TAIL_C2[i]
+    c1 = GROWN_LOSS_TAIL_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + GROWN_LOSS_TAIL_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    slope = t + h
+    p_all = x_lo * slope + p_lo
+    c0 = GROWN_LOSS_TAIL_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_all + GROWN_LOSS_TAIL_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def grown_balance_near(x):
+    """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), on its pieces."""
+    u = x + 0.5
+    i = op.piece(u, 4088, 50)
+    d = x - GROWN_BALANCE_CENTRE[i]
+    q17 = GROWN_BALANCE_C17[i]
+    q16 = q17 * d + GROWN_BALANCE_C16[i]
+    q15 = q16 * d + GROWN_BALANCE_C15[i]
+    q14 = q15 * d + GROWN_BALANCE_C14[i]
+    q13 = q14 * d + GROWN_BALANCE_C13[i]
+    q12 = q13 * d + GROWN_BALANCE_C12[i]
+    q11 = q12 * d + GROWN_BALANCE_C11[i]
+    q10 = q11 * d + GROWN_BALANCE_C10[i]
+    q9 = q10 * d + GROWN_BALANCE_C9[i]
+    q8 = q9 * d + GROWN_BALANCE_C8[i]
+    q7 = q8 * d + GROWN_BALANCE_C7[i]
+    q6 = q7 * d + GROWN_BALANCE_C6[i]
+    q5 = q6 * d + GROWN_BALANCE_C5[i]
+    q4 = q5 * d + GROWN_BALANCE_C4[i]
+    q3 = q4 * d + GROWN_BALANCE_C3[i]
+    q2 = q3 * d + GROWN_BALANCE_C2[i]
+    c1 = GROWN_BALANCE_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + GROWN_BALANCE_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    c0 = GROWN_BALANCE_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_lo + GROWN_BALANCE_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def grown_balance_near_pair(x, x_lo):
+    """The same at x + x_lo."""
+    u = x + 0.5
+    i = op.piece(u, 4088, 50)
+    d = x - GROWN_BALANCE_CENTRE[i]
+    q17 = GROWN_BALANCE_C17[i]
+    q16 = q17 * d + GROWN_BALANCE_C16[i]
+    q15 = q16 * d + GROWN_BALANCE_C15[i]
+    q14 = q15 * d + GROWN_BALANCE_C14[i]
+    q13 = q14 * d + GROWN_BALANCE_C13[i]
+    q12 = q13 * d + GROWN_BALANCE_C12[i]
+    q11 = q12 * d + GROWN_BALANCE_C11[i]
+    q10 = q11 * d + GROWN_BALANCE_C10[i]
+    q9 = q10 * d + GROWN_BALANCE_C9[i]
+    q8 = q9 * d + GROWN_BALANCE_C8[i]
+    q7 = q8 * d + GROWN_BALANCE_C7[i]
+    q6 = q7 * d + GROWN_BALANCE_C6[i]
+    q5 = q6 * d + GROWN_BALANCE_C5[i]
+    q4 = q5 * d + GROWN_BALANCE_C4[i]
+    q3 = q4 * d + GROWN_BALANCE_C3[i]
+    q2 = q3 * d + GROWN_BALANCE_C2[i]
+    c1 = GROWN_BALANCE_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + GROWN_BALANCE_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    slope = t + h
+    p_all = x_lo * slope + p_lo
+    c0 = GROWN_BALANCE_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_all + GROWN_BALANCE_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def grown_balance_tail_near(x):
+    """grown_balance, continued, on its pieces."""
+    u = x + 0.5
+    i = op.piece(u, 4104, 50)
+    d = x - GROWN_BALANCE_TAIL_CENTRE[i]
+    q13 = GROWN_BALANCE_TAIL_C13[i]
+    q12 = q13 * d + GROWN_BALANCE_TAIL_C12[i]
+    q11 = q12 * d + GROWN_BALANCE_TAIL_C11[i]
+    q10 = q11 * d + GROWN_BALANCE_TAIL_C10[i]
+    q9 = q10 * d + GROWN_BALANCE_TAIL_C9[i]
+    q8 = q9 * d + GROWN_BALANCE_TAIL_C8[i]
+    q7 = q8 * d + GROWN_BALANCE_TAIL_C7[i]
+    q6 = q7 * d + GROWN_BALANCE_TAIL_C6[i]
+    q5 = q6 * d + GROWN_BALANCE_TAIL_C5[i]
+    q4 = q5 * d + GROWN_BALANCE_TAIL_C4[i]
+    q3 = q4 * d + GROWN_BALANCE_TAIL_C3[i]
+    q2 = q3 * d + GROWN_BALANCE_TAIL_C2[i]
+    c1 = GROWN_BALANCE_TAIL_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + GROWN_BALANCE_TAIL_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    c0 = GROWN_BALANCE_TAIL_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_lo + GROWN_BALANCE_TAIL_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def grown_balance_tail_near_pair(x, x_lo):
+    """The same at x + x_lo."""
+    u = x + 0.5
+    i = op.piece(u, 4104, 50)
+    d = x - GROWN_BALANCE_TAIL_CENTRE[i]
+    q13 = GROWN_BALANCE_TAIL_C13[i]
+    q12 = q13 * d + GROWN_BALANCE_TAIL_C12[i]
+    q11 = q12 * d + GROWN_BALANCE_TAIL_C11[i]
+    q10 = q11 * d + GROWN_BALANCE_TAIL_C10[i]
+    q9 = q10 * d + GROWN_BALANCE_TAIL_C9[i]
+    q8 = q9 * d + GROWN_BALANCE_TAIL_C8[i]
+    q7 = q8 * d + GROWN_BALANCE_TAIL_C7[i]
+    q6 = q7 * d + GROWN_BALANCE_TAIL_C6[i]
+    q5 = q6 * d + GROWN_BALANCE_TAIL_C5[i]
+    q4 = q5 * d + GROWN_BALANCE_TAIL_C4[i]
+    q3 = q4 * d + GROWN_BALANCE_TAIL_C3[i]
+    q2 = q3 * d + GROWN_BALANCE_TAIL_C2[i]
+    c1 = GROWN_BALANCE_TAIL_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + GROWN_BALANCE_TAIL_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    slope = t + h
+    p_all = x_lo * slope + p_lo
+    c0 = GROWN_BALANCE_TAIL_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_all + GROWN_BALANCE_TAIL_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def omega_start_near(x):
+    """w with w + log(w) = y, y from 0, on its pieces."""
+    u = x + 2.0
+    i = op.piece(u, 4096, 50)
+    d = x - OMEGA_START_CENTRE[i]
+    q13 = OMEGA_START_C13[i]
+    q12 = q13 * d + OMEGA_START_C12[i]
+    q11 = q12 * d + OMEGA_START_C11[i]
+    q10 = q11 * d + OMEGA_START_C10[i]
+    q9 = q10 * d + OMEGA_START_C9[i]
+    q8 = q9 * d + OMEGA_START_C8[i]
+    q7 = q8 * d + OMEGA_START_C7[i]
+    q6 = q7 * d + OMEGA_START_C6[i]
+    q5 = q6 * d + OMEGA_START_C5[i]
+    q4 = q5 * d + OMEGA_START_C4[i]
+    q3 = q4 * d + OMEGA_START_C3[i]
+    q2 = q3 * d + OMEGA_START_C2[i]
+    c1 = OMEGA_START_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + OMEGA_START_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    c0 = OMEGA_START_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_lo + OMEGA_START_C0_LO[i]
+    e = s_rest + s_lo
+    r = s + e
+    lo = (s - r) + e
+    return r, lo
+
+
+def omega_start_near_pair(x, x_lo):
+    """The same at x + x_lo."""
+    u = x + 2.0
+    i = op.piece(u, 4096, 50)
+    d = x - OMEGA_START_CENTRE[i]
+    q13 = OMEGA_START_C13[i]
+    q12 = q13 * d + OMEGA_START_C12[i]
+    q11 = q12 * d + OMEGA_START_C11[i]
+    q10 = q11 * d + OMEGA_START_C10[i]
+    q9 = q10 * d + OMEGA_START_C9[i]
+    q8 = q9 * d + OMEGA_START_C8[i]
+    q7 = q8 * d + OMEGA_START_C7[i]
+    q6 = q7 * d + OMEGA_START_C6[i]
+    q5 = q6 * d + OMEGA_START_C5[i]
+    q4 = q5 * d + OMEGA_START_C4[i]
+    q3 = q4 * d + OMEGA_START_C3[i]
+    q2 = q3 * d + OMEGA_START_C2[i]
+    c1 = OMEGA_START_C1[i]
+    h = q2 * d
+    t = c1 + h
+    t_rest = (c1 - t) + h
+    t_lo = t_rest + OMEGA_START_C1_LO[i]
+    p = d * t
+    p_rest = op.product_rest(d, t, p)
+    p_lo = d * t_lo + p_rest
+    slope = t + h
+    p_all = x_lo * slope + p_lo
+    c0 = OMEGA_START_C0[i]
+    s = c0 + p
+    s_rest = (c0 - s) + p
+    s_lo = p_all + OMEGA_START_C0_LO[i]
     e = s_rest + s_lo
     r = s + e
     lo = (s - r) + e
@@ -4922,6 +5394,470 @@ def exp_exponent(x):
 def exp_exponent_pair(x, x_lo):
     """The same of x + x_lo, abs(x_lo) no more than half an ulp of x."""
     return op.paired(_EXP_EXPONENT, x, x_lo)
+
+
+def _range_loss_0(x):
+    """the slope of range_factor, negative, for x in [0.0, 7.5)."""
+    g, g_lo = grown_loss_near(x)
+    more_s = x + 1.0
+    more_rest = op.sum_rest(x, 1.0, more_s)
+    more = more_s + more_rest
+    more_lo = (more_s - more) + more_rest
+    square_h = more * more
+    square_e0 = op.product_rest(more, more, square_h)
+    square_e1 = more * more_lo + square_e0
+    square_e2 = more * more_lo + square_e1
+    square = square_h + square_e2
+    square_lo = (square_h - square) + square_e2
+    f_q = g / square
+    f_e0 = op.product_rest(f_q, square, g)
+    f_e1 = g_lo - f_e0
+    f_e2 = -op.product_rest(f_q, square_lo, f_e1)
+    f_off = f_e2 / square
+    f = f_q + f_off
+    f_lo = (f_q - f) + f_off
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _range_loss_0_pair(x, x_lo):
+    """The same at x + x_lo."""
+    g, g_lo = grown_loss_near_pair(x, x_lo)
+    more_s = x + 1.0
+    more_rest = op.sum_rest(x, 1.0, more_s)
+    more_off = more_rest + x_lo
+    more = more_s + more_off
+    more_lo = (more_s - more) + more_off
+    square_h = more * more
+    square_e0 = op.product_rest(more, more, square_h)
+    square_e1 = more * more_lo + square_e0
+    square_e2 = more * more_lo + square_e1
+    square = square_h + square_e2
+    square_lo = (square_h - square) + square_e2
+    f_q = g / square
+    f_e0 = op.product_rest(f_q, square, g)
+    f_e1 = g_lo - f_e0
+    f_e2 = -op.product_rest(f_q, square_lo, f_e1)
+    f_off = f_e2 / square
+    f = f_q + f_off
+    f_lo = (f_q - f) + f_off
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _range_loss_1(x):
+    """the slope of range_factor, negative, for x in [7.5, 127.5)."""
+    g, g_lo = grown_loss_tail_near(x)
+    more_s = x + 1.0
+    more_rest = op.sum_rest(x, 1.0, more_s)
+    more = more_s + more_rest
+    more_lo = (more_s - more) + more_rest
+    square_h = more * more
+    square_e0 = op.product_rest(more, more, square_h)
+    square_e1 = more * more_lo + square_e0
+    square_e2 = more * more_lo + square_e1
+    square = square_h + square_e2
+    square_lo = (square_h - square) + square_e2
+    f_q = g / square
+    f_e0 = op.product_rest(f_q, square, g)
+    f_e1 = g_lo - f_e0
+    f_e2 = -op.product_rest(f_q, square_lo, f_e1)
+    f_off = f_e2 / square
+    f = f_q + f_off
+    f_lo = (f_q - f) + f_off
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _range_loss_1_pair(x, x_lo):
+    """The same at x + x_lo."""
+    g, g_lo = grown_loss_tail_near_pair(x, x_lo)
+    more_s = x + 1.0
+    more_rest = op.sum_rest(x, 1.0, more_s)
+    more_off = more_rest + x_lo
+    more = more_s + more_off
+    more_lo = (more_s - more) + more_off
+    square_h = more * more
+    square_e0 = op.product_rest(more, more, square_h)
+    square_e1 = more * more_lo + square_e0
+    square_e2 = more * more_lo + square_e1
+    square = square_h + square_e2
+    square_lo = (square_h - square) + square_e2
+    f_q = g / square
+    f_e0 = op.product_rest(f_q, square, g)
+    f_e1 = g_lo - f_e0
+    f_e2 = -op.product_rest(f_q, square_lo, f_e1)
+    f_off = f_e2 / square
+    f = f_q + f_off
+    f_lo = (f_q - f) + f_off
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _range_loss_2(x):
+    """the slope of range_factor, negative, for x in [127.5, inf]."""
+    y_q = 1.0 / x
+    y_finite = np.minimum(x, 1.7976931348623157e+308)
+    y_e0 = op.product_rest(y_q, y_finite, 1.0)
+    y_minus = y_q * (-1.0)
+    y_off = y_minus * y_e0
+    y = y_q + y_off
+    y_lo = (y_q - y) + y_off
+    half = y * 0.5
+    half_lo = y_lo * 0.5
+    f_h = half * y
+    f_e0 = op.product_rest(half, y, f_h)
+    f_e1 = half * y_lo + f_e0
+    f_e2 = y * half_lo + f_e1
+    f = f_h + f_e2
+    f_lo = (f_h - f) + f_e2
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _range_loss_2_pair(x, x_lo):
+    """The same at x + x_lo."""
+    y_q = 1.0 / x
+    y_finite = np.minimum(x, 1.7976931348623157e+308)
+    y_e0 = op.product_rest(y_q, y_finite, 1.0)
+    y_e1 = y_q * x_lo + y_e0
+    y_minus = y_q * (-1.0)
+    y_off = y_minus * y_e1
+    y = y_q + y_off
+    y_lo = (y_q - y) + y_off
+    half = y * 0.5
+    half_lo = y_lo * 0.5
+    f_h = half * y
+    f_e0 = op.product_rest(half, y, f_h)
+    f_e1 = half * y_lo + f_e0
+    f_e2 = y * half_lo + f_e1
+    f = f_h + f_e2
+    f_lo = (f_h - f) + f_e2
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+_RANGE_LOSS = {
+    "domain": (0.0, inf),
+    "ends": ((0.0, 0.0), (inf, 0.0)),
+    "parity": "",
+    "pole": None,
+    "forms": (
+        (-inf, 7.5, _range_loss_0, _range_loss_0_pair),
+        (7.5, 127.5, _range_loss_1, _range_loss_1_pair),
+        (127.5, inf, _range_loss_2, _range_loss_2_pair),
+    ),
+}
+
+
+def range_loss(x):
+    """the slope of range_factor, negative: the nearest double but for a little, and the rest."""
+    return op.single(_RANGE_LOSS, x)
+
+
+def range_loss_pair(x, x_lo):
+    """The same of x + x_lo, abs(x_lo) no more than half an ulp of x."""
+    return op.paired(_RANGE_LOSS, x, x_lo)
+
+
+def _grown_balance_0(x):
+    """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), for x in [0.0, 7.5)."""
+    f, f_lo = grown_balance_near(x)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _grown_balance_0_pair(x, x_lo):
+    """The same at x + x_lo."""
+    f, f_lo = grown_balance_near_pair(x, x_lo)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _grown_balance_1(x):
+    """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), for x in [7.5, 127.5)."""
+    f, f_lo = grown_balance_tail_near(x)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _grown_balance_1_pair(x, x_lo):
+    """The same at x + x_lo."""
+    f, f_lo = grown_balance_tail_near_pair(x, x_lo)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _grown_balance_2(x):
+    """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), for x in [127.5, inf]."""
+    e = 0.36787944117144233
+    e_lo = (-1.2428753672788363e-17)
+    f_h = x * e
+    f_e0 = op.product_rest(x, e, f_h)
+    f_e1 = x * e_lo + f_e0
+    f = f_h + f_e1
+    f_lo = (f_h - f) + f_e1
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _grown_balance_2_pair(x, x_lo):
+    """The same at x + x_lo."""
+    e = 0.36787944117144233
+    e_lo = (-1.2428753672788363e-17)
+    f_h = x * e
+    f_e0 = op.product_rest(x, e, f_h)
+    f_e1 = x * e_lo + f_e0
+    f_e2 = e * x_lo + f_e1
+    f = f_h + f_e2
+    f_lo = (f_h - f) + f_e2
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _grown_balance_3(x):
+    """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), for x in [inf, inf]."""
+    r = x
+    lo = 0.0
+    return r, lo
+
+
+def _grown_balance_3_pair(x, x_lo):
+    """The same at x + x_lo."""
+    r = x
+    lo = 0.0
+    return r, lo
+
+
+_GROWN_BALANCE = {
+    "domain": (0.0, inf),
+    "ends": ((0.0, 0.0), (inf, 0.0)),
+    "parity": "",
+    "pole": None,
+    "forms": (
+        (-inf, 7.5, _grown_balance_0, _grown_balance_0_pair),
+        (7.5, 127.5, _grown_balance_1, _grown_balance_1_pair),
+        (127.5, inf, _grown_balance_2, _grown_balance_2_pair),
+        (inf, inf, _grown_balance_3, _grown_balance_3_pair),
+    ),
+}
+
+
+def grown_balance(x):
+    """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)): the nearest double but for a little, and the rest."""
+    return op.single(_GROWN_BALANCE, x)
+
+
+def grown_balance_pair(x, x_lo):
+    """The same of x + x_lo, abs(x_lo) no more than half an ulp of x."""
+    return op.paired(_GROWN_BALANCE, x, x_lo)
+
+
+def _acot_0(x):
+    """the angle in [0, pi/2] whose cotangent is x, for x in [0.28125, 1.2676506002282294e+30)."""
+    y_q = 1.0 / x
+    y_finite = np.minimum(x, 1.7976931348623157e+308)
+    y_e0 = op.product_rest(y_q, y_finite, 1.0)
+    y_minus = y_q * (-1.0)
+    y_off = y_minus * y_e0
+    y = y_q + y_off
+    y_lo = (y_q - y) + y_off
+    f, f_lo = arctangent_near_pair(y, y_lo)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _acot_0_pair(x, x_lo):
+    """The same at x + x_lo."""
+    y_q = 1.0 / x
+    y_finite = np.minimum(x, 1.7976931348623157e+308)
+    y_e0 = op.product_rest(y_q, y_finite, 1.0)
+    y_e1 = y_q * x_lo + y_e0
+    y_minus = y_q * (-1.0)
+    y_off = y_minus * y_e1
+    y = y_q + y_off
+    y_lo = (y_q - y) + y_off
+    f, f_lo = arctangent_near_pair(y, y_lo)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _acot_1(x):
+    """the angle in [0, pi/2] whose cotangent is x, for x in [0.0, 0.28125)."""
+    felt = x >= 5.527147875260445e-76
+    y = np.where(felt, x, 0.0)
+    f, f_lo = arctangent_near(y)
+    minus = f * (-1.0)
+    minus_lo = f_lo * (-1.0)
+    right = 1.5707963267948966
+    right_lo = 6.123233995736766e-17
+    a_s = right + minus
+    a_rest = op.sum_rest(right, minus, a_s)
+    a_los = right_lo + minus_lo
+    a_off = a_rest + a_los
+    a = a_s + a_off
+    a_lo = (a_s - a) + a_off
+    r = a
+    lo = a_lo
+    return r, lo
+
+
+def _acot_1_pair(x, x_lo):
+    """The same at x + x_lo."""
+    felt = x >= 5.527147875260445e-76
+    y = np.where(felt, x, 0.0)
+    y_lo = np.where(felt, x_lo, 0.0)
+    f, f_lo = arctangent_near_pair(y, y_lo)
+    minus = f * (-1.0)
+    minus_lo = f_lo * (-1.0)
+    right = 1.5707963267948966
+    right_lo = 6.123233995736766e-17
+    a_s = right + minus
+    a_rest = op.sum_rest(right, minus, a_s)
+    a_los = right_lo + minus_lo
+    a_off = a_rest + a_los
+    a = a_s + a_off
+    a_lo = (a_s - a) + a_off
+    r = a
+    lo = a_lo
+    return r, lo
+
+
+def _acot_2(x):
+    """the angle in [0, pi/2] whose cotangent is x, for x in [1.2676506002282294e+30, inf]."""
+    y_q = 1.0 / x
+    y_finite = np.minimum(x, 1.7976931348623157e+308)
+    y_e0 = op.product_rest(y_q, y_finite, 1.0)
+    y_minus = y_q * (-1.0)
+    y_off = y_minus * y_e0
+    y = y_q + y_off
+    y_lo = (y_q - y) + y_off
+    r = y
+    lo = y_lo
+    return r, lo
+
+
+def _acot_2_pair(x, x_lo):
+    """The same at x + x_lo."""
+    y_q = 1.0 / x
+    y_finite = np.minimum(x, 1.7976931348623157e+308)
+    y_e0 = op.product_rest(y_q, y_finite, 1.0)
+    y_e1 = y_q * x_lo + y_e0
+    y_minus = y_q * (-1.0)
+    y_off = y_minus * y_e1
+    y = y_q + y_off
+    y_lo = (y_q - y) + y_off
+    r = y
+    lo = y_lo
+    return r, lo
+
+
+_ACOT = {
+    "domain": (0.0, inf),
+    "ends": ((0.0, 0.0), (inf, 0.0)),
+    "parity": "",
+    "pole": None,
+    "forms": (
+        (0.28125, 1.2676506002282294e+30, _acot_0, _acot_0_pair),
+        (-inf, 0.28125, _acot_1, _acot_1_pair),
+        (1.2676506002282294e+30, inf, _acot_2, _acot_2_pair),
+    ),
+}
+
+
+def acot(x):
+    """the angle in [0, pi/2] whose cotangent is x: the nearest double but for a little, and the rest."""
+    return op.single(_ACOT, x)
+
+
+def acot_pair(x, x_lo):
+    """The same of x + x_lo, abs(x_lo) no more than half an ulp of x."""
+    return op.paired(_ACOT, x, x_lo)
+
+
+def _wright_omega_0(x):
+    """w with w + log(w) = y, y below 2^17, for x in [0.0, 30.0)."""
+    f, f_lo = omega_start_near(x)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _wright_omega_0_pair(x, x_lo):
+    """The same at x + x_lo."""
+    f, f_lo = omega_start_near_pair(x, x_lo)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _wright_omega_1(x):
+    """w with w + log(w) = y, y below 2^17, for x in [30.0, 768.0)."""
+    f, f_lo = omega_near(x)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _wright_omega_1_pair(x, x_lo):
+    """The same at x + x_lo."""
+    f, f_lo = omega_near_pair(x, x_lo)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _wright_omega_2(x):
+    """w with w + log(w) = y, y below 2^17, for x in [768.0, 131072.0)."""
+    f, f_lo = omega_tail_near(x)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+def _wright_omega_2_pair(x, x_lo):
+    """The same at x + x_lo."""
+    f, f_lo = omega_tail_near_pair(x, x_lo)
+    r = f
+    lo = f_lo
+    return r, lo
+
+
+_WRIGHT_OMEGA = {
+    "domain": (0.0, 131071.99999999999),
+    "ends": ((0.0, 0.0), (131071.99999999999, 0.0)),
+    "parity": "",
+    "pole": None,
+    "forms": (
+        (-inf, 30.0, _wright_omega_0, _wright_omega_0_pair),
+        (30.0, 768.0, _wright_omega_1, _wright_omega_1_pair),
+        (768.0, 131072.0, _wright_omega_2, _wright_omega_2_pair),
+    ),
+}
+
+
+def wright_omega(x):
+    """w with w + log(w) = y, y below 2^17: the nearest double but for a little, and the rest."""
+    return op.single(_WRIGHT_OMEGA, x)
+
+
+def wright_omega_pair(x, x_lo):
+    """The same of x + x_lo, abs(x_lo) no more than half an ulp of x."""
+    return op.paired(_WRIGHT_OMEGA, x, x_lo)
 
 
 # As for the papers' functions; the kernels return the value and its rest.

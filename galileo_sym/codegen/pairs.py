@@ -5,8 +5,8 @@ One list of lines serves both: those for x are what `lines.alone` leaves of thos
 
 from math import isinf
 
-from galileo_sym.codegen.kernels import c_number, lines_text, table_text
-from galileo_sym.primitives.elementary import SCALED
+from galileo_sym.codegen.kernels import bank_text, c_number, lines_text, table_text
+from galileo_sym.primitives.auxiliary_frames import FRAMES
 from galileo_sym.primitives.kernels import KERNELS
 from galileo_sym.primitives.lines import used
 
@@ -36,12 +36,12 @@ static inline gs_mask gs_before(gs_v x, gs_v x_lo, gs_v y, gs_v y_lo)
 
 """
 
-PAIRS = KERNELS | {frame.name: frame for frame in SCALED}
+PAIRS = KERNELS | {frame.name: frame for frame in FRAMES}
 _PARITIES = {"": ("x", "x_lo"), "even": ("gs_abs(x)", "gs_flip(x_lo, x)"), "odd": ("gs_abs(x)", "gs_flip(x_lo, x)")}
 
 
 def _functions(kernel):
-    out = [table_text(kernel.name, column, values) for column, values in kernel.tables.items() if kernel in SCALED]
+    out = [table_text(kernel.name, column, values) for column, values in kernel.tables.items() if kernel in FRAMES]
     for index, served in enumerate(kernel.ranges):
         lines = used(served.lines)
         out.append(
@@ -84,4 +84,6 @@ def _choice(kernel):
 
 def pairs_header():
     """Return the C header of all primitives of a pair."""
-    return "".join([_HEAD, *(_functions(k) + _choice(k) for k in PAIRS.values()), "#endif\n"])
+    known = {bank for kernel in KERNELS.values() for bank in kernel.banks}
+    fresh = dict.fromkeys(bank for frame in FRAMES for bank in frame.banks if bank not in known)
+    return "".join([_HEAD, *map(bank_text, fresh), *(_functions(k) + _choice(k) for k in PAIRS.values()), "#endif\n"])

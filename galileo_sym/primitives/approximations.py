@@ -86,6 +86,16 @@ def _max_range_factor(a):
     return +value
 
 
+def _grown_balance(b):
+    """The range balance without its decay: for large b nearly b/e."""
+    return mp.exp(b) * mp_value("range_balance", b)
+
+
+def _grown_loss(b):
+    """The range loss without its decay: 1/2 at infinity."""
+    return (1 + b) ** 2 * mp_value("range_loss", b)
+
+
 def _first(value, fraction_bits):
     """Return the number of the piece that begins at a value, where the offset is 0."""
     return Partition(0.0, 0, fraction_bits).number(value)
@@ -116,6 +126,11 @@ APPROXIMATIONS = {
         Approximation("fall_tail", _fall_factor, 1.0, 13, "fall_factor, continued", COUNT - 1),
         Approximation("fall_log", _fall_log, 0.0, 13, "log(1 + sigma), sigma - log(1 + sigma) = e^y", _first(4.0, 2)),
         Approximation("log", mp.log, 0.0, 9, "log(m)", _first(2.0, 4), 4),
+        Approximation("grown_loss", _grown_loss, 0.5, 16, "(1 + b)^2 times the slope of -range_factor"),
+        Approximation("grown_loss_tail", _grown_loss, 0.5, 15, "grown_loss, continued", COUNT),
+        Approximation("grown_balance", _grown_balance, 0.5, 17, "b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T))"),
+        Approximation("grown_balance_tail", _grown_balance, 0.5, 13, "grown_balance, continued", COUNT),
+        Approximation("omega_start", _of("wright_omega"), 2.0, 13, "w with w + log(w) = y, y from 0"),
         Approximation("omega", _of("wright_omega"), 0.0, 15, "w with w + log(w) = y", _first(3.0, 1), 1),
         Approximation("omega_tail", _of("wright_omega"), 0.0, 14, "omega, continued", _first(512.0, 1), 1),
     )

@@ -22,6 +22,963 @@ static inline gs_mask gs_before(gs_v x, gs_v x_lo, gs_v y, gs_v y_lo)
     return isless(x, y) || (x == y && isless(x_lo, y_lo));
 }
 
+/* (1 + b)^2 times the slope of -range_factor, on [0.0, 7.5): degree 16 on each of 16 pieces. */
+GS_TABLE(gs_grown_loss_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-3, 0x1.4000000000000p-2, 0x1.c000000000000p-2,
+    0x1.4000000000000p-1, 0x1.c000000000000p-1, 0x1.2000000000000p+0, 0x1.6000000000000p+0,
+    0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1, 0x1.a000000000000p+1,
+    0x1.0000000000000p+2, 0x1.4000000000000p+2, 0x1.8000000000000p+2, 0x1.c000000000000p+2
+};
+GS_TABLE(gs_grown_loss_c0) = {
+    0x1.5555555555555p+0, 0x1.421f76abbda40p+0, 0x1.3742657f99d23p+0, 0x1.2d996b21c988ap+0,
+    0x1.20e99eeef7ac9p+0, 0x1.1299fe9db6732p+0, 0x1.06898a157f782p+0, 0x1.f85d64f019e56p-1,
+    0x1.de287f11af206p-1, 0x1.c1e1534f37fffp-1, 0x1.ab1646fca9801p-1, 0x1.985169d4aa3dap-1,
+    0x1.81b90e4fdfa8cp-1, 0x1.6b03c57f87940p-1, 0x1.5a31fece4d372p-1, 0x1.4d7739f7f9e5ap-1
+};
+GS_TABLE(gs_grown_loss_c0_lo) = {
+    0x1.5555555555555p-54, 0x1.14d5e59b0a2acp-54, 0x1.a25d9424b075bp-54, 0x1.d0ffe9a017444p-54,
+    0x1.6eff105b028b9p-54, -0x1.2b054e7ce6985p-57, 0x1.592f3844a1628p-54, 0x1.458f0ba33a90cp-55,
+    0x1.dfa6a30840c11p-55, -0x1.14a44fc4ad320p-56, -0x1.b26501e0a4837p-55, 0x1.bb78e17ba1c25p-55,
+    -0x1.c664d9fa60267p-55, 0x1.a498f218af36bp-56, 0x1.7dc769c5fdacbp-55, 0x1.78ba2bd9a39fdp-55
+};
+GS_TABLE(gs_grown_loss_c1) = {
+    -0x1.c71c71c71c71cp-2, -0x1.71b60c608c64ep-2, -0x1.471235f0e0a15p-2, -0x1.244d1d45851ebp-2,
+    -0x1.f5a356b2b8353p-3, -0x1.a28b384280b01p-3, -0x1.6460aacddacc9p-3, -0x1.3444500a50120p-3,
+    -0x1.fb644fbdeb99ap-4, -0x1.93b95dc58fde0p-4, -0x1.497185db6e623p-4, -0x1.11a2b8be6b2b3p-4,
+    -0x1.a7e24d1b4d769p-5, -0x1.364fa07614b01p-5, -0x1.d12aa48b943f8p-6, -0x1.63bd73d9450dap-6
+};
+GS_TABLE(gs_grown_loss_c1_lo) = {
+    -0x1.c7170908e0541p-56, -0x1.0585167933cb0p-57, -0x1.e3daaed4c6baep-56, 0x1.aa886349c06dcp-57,
+    -0x1.0c8e215355916p-57, 0x1.69083c3d8666ep-58, -0x1.f58f070250f07p-57, -0x1.65b90ba6f9e4dp-57,
+    0x1.da343de6902ddp-59, 0x1.84fea6a9b2201p-58, -0x1.4d2f778fe4d18p-61, 0x1.2ea91f7b42385p-58,
+    0x1.23214c6a26863p-59, 0x1.80383f0128ad2p-59, 0x1.dde771b839c2dp-62, 0x1.7de4fad8f8d8ep-63
+};
+GS_TABLE(gs_grown_loss_c2) = {
+    0x1.1111111111111p-2, 0x1.7b71ab09d992fp-3, 0x1.328c558687744p-3, 0x1.f8a217629c1a8p-4,
+    0x1.83bdef20250b8p-4, 0x1.1cafb2a5e4428p-4, 0x1.b226d43d67a95p-5, 0x1.551346bf563fdp-5,
+    0x1.f072c2d292e30p-6, 0x1.5a3f5e45a1dbcp-6, 0x1.fde638bc2b531p-7, 0x1.86dd69a7d67a5p-7,
+    0x1.14aab77edd9f3p-7, 0x1.7346550b50790p-8, 0x1.02a9b53573ccap-8, 0x1.6fbccd80745f7p-9
+};
+GS_TABLE(gs_grown_loss_c3) = {
+    -0x1.8050e89cc2aacp-3, -0x1.c51692e20a6a5p-4, -0x1.4c9a7cbdc5316p-4, -0x1.f5c9611dcacbdp-5,
+    -0x1.56a5d8e951439p-5, -0x1.b5f99f830e49ep-6, -0x1.275e21b2408adp-6, -0x1.9f6d919e8815ep-7,
+    -0x1.0476097f87327p-7, -0x1.3122e41e48031p-8, -0x1.822670e504a90p-9, -0x1.03fd9c81acc3ep-9,
+    -0x1.3bf76c15d010ap-10, -0x1.742ad0dc6cc4fp-11, -0x1.e26eb423dca9cp-12, -0x1.473bcab68c708p-12
+};
+GS_TABLE(gs_grown_loss_c4) = {
+    0x1.26bd167c0d7f6p-3, 0x1.26248cfd0cf86p-4, 0x1.8807d18a8e06cp-5, 0x1.0ee3d46bb1386p-5,
+    0x1.48d68f2a45607p-6, 0x1.6e8846f763f5fp-7, 0x1.b6c723000018fp-8, 0x1.1593343cace12p-8,
+    0x1.2e8d4d7f89d3ep-9, 0x1.2ce9afc970cefp-10, 0x1.47fdfe61c2636p-11, 0x1.7ec67cae08026p-12,
+    0x1.7a195266fc486p-13, 0x1.5eec667055c12p-14, 0x1.86326fdb2bcb8p-15, 0x1.eca86506e870ep-16
+};
+GS_TABLE(gs_grown_loss_c5) = {
+    -0x1.dc3484af1475ap-4, -0x1.916ae50df6dadp-5, -0x1.e4fd9dd644435p-6, -0x1.328f4be8827f5p-6,
+    -0x1.4a1b4603afb20p-7, -0x1.400cd7ec86199p-8, -0x1.535830166050dp-9, -0x1.81c26eed38356p-10,
+    -0x1.6ddc6efc686bbp-11, -0x1.37e2ae0bc382dp-12, -0x1.2b1ce65acf6b9p-13, -0x1.3802521ca9890p-14,
+    -0x1.05aceb285df09p-15, -0x1.795bc080c9478p-17, -0x1.3f6f32c512ed4p-18, -0x1.4b45dbd671a44p-19
+};
+GS_TABLE(gs_grown_loss_c6) = {
+    0x1.8ea2b4981a57ep-4, 0x1.1b8af6f9954b9p-5, 0x1.3659afd803e71p-6, 0x1.66ac0c478a48fp-7,
+    0x1.56438a111decfp-8, 0x1.203659ae2655dp-9, 0x1.0e25f15380350p-10, 0x1.133b35568c911p-11,
+    0x1.c3ed2107e3b55p-13, 0x1.475bd51f51772p-14, 0x1.127c00f872bd9p-15, 0x1.00edf80268082p-16,
+    0x1.7d3f326d55b77p-18, 0x1.dcb0efa7510c7p-20, 0x1.44a8e77cd663ap-21, 0x1.ebc2085dfe325p-23
+};
+GS_TABLE(gs_grown_loss_c7) = {
+    -0x1.565ad5c8d183cp-4, -0x1.9ab549f221647p-6, -0x1.971b77b36e082p-7, -0x1.adfae75e56d83p-8,
+    -0x1.6b75e5e8ea5b6p-9, -0x1.09b6f854375a3p-10, -0x1.b83a1ca9a9355p-12, -0x1.91dd683189e89p-13,
+    -0x1.1d5dc362791b0p-14, -0x1.5de67cb3fdac4p-16, -0x1.fbb3366fb9253p-18, -0x1.a32bd58c87d2ap-19,
+    -0x1.0ce0f1255b5a5p-20, -0x1.2eb2cc5b98d0bp-22, -0x1.81bab25a08009p-24, -0x1.ee20879e039ffp-26
+};
+GS_TABLE(gs_grown_loss_c8) = {
+    0x1.2baf9524028dfp-4, 0x1.2f1dc55a5ddefp-6, 0x1.1007b3677c79ap-7, 0x1.068286c3ff6f0p-8,
+    0x1.88fdde1e295a8p-10, 0x1.f2aa86b1f311ap-12, 0x1.6cf9afaacbbdbp-13, 0x1.2a7f3085fd121p-14,
+    0x1.6ed65705b5c7dp-16, 0x1.7d63b60eb4f9ep-18, 0x1.df7cb11ceb569p-20, 0x1.5b83809a4c1f1p-21,
+    0x1.75635d4e2f8a2p-23, 0x1.647576f9b20e9p-25, 0x1.b470d7f02859fp-27, 0x1.1a32935cb9c73p-28
+};
+GS_TABLE(gs_grown_loss_c9) = {
+    -0x1.08f73d7188fd8p-4, -0x1.c60faae8146a5p-7, -0x1.70dff6e81b079p-8, -0x1.452e1793b3e61p-9,
+    -0x1.aefa076bb9408p-11, -0x1.da701392be848p-13, -0x1.32b392ad045c6p-14, -0x1.c151a438bc6a5p-16,
+    -0x1.dda2eeabf19b7p-18, -0x1.a5390dfad18e1p-20, -0x1.cc58367e2c9d8p-22, -0x1.26ea14dcc0365p-23,
+    -0x1.0a64d4c643c11p-25, -0x1.9527bccf296bdp-28, -0x1.b47849455db19p-30, -0x1.21e29e00a0b12p-31
+};
+GS_TABLE(gs_grown_loss_c10) = {
+    0x1.aa014208c22c8p-5, 0x1.58213438c6c53p-7, 0x1.fa1522168542cp-9, 0x1.9780d8c93c8b1p-10,
+    0x1.de0e68da6afdcp-12, 0x1.c87781b849bf0p-14, 0x1.0493cf15842dep-15, 0x1.55d497d553065p-17,
+    0x1.3a2ce883e2722p-19, 0x1.d5980c38126f2p-22, 0x1.bdc73d32c575bp-24, 0x1.fa264d5135956p-26,
+    0x1.879f6c648970ep-28, 0x1.e013e6f3ba332p-31, 0x1.9771c0d54e76cp-33, 0x1.f5331e99c27c5p-35
+};
+GS_TABLE(gs_grown_loss_c11) = {
+    0x1.0fb0bac93a615p-5, -0x1.0759e311ca628p-7, -0x1.5e82a97a9bcacp-9, -0x1.01c60203beb3fp-10,
+    -0x1.0ba3a9fc6f2bcp-12, -0x1.bb3f135e6974dp-15, -0x1.bed1141e62c9fp-17, -0x1.06645e056935ap-18,
+    -0x1.a0f2ac30196afp-21, -0x1.07f2d99178980p-23, -0x1.b2a94674f1ca6p-26, -0x1.b41d5828889eap-28,
+    -0x1.21bba925e3892p-30, -0x1.2d5d48707b868p-33, -0x1.915f4bb30935ep-36, -0x1.7ed768bc4a3c2p-38
+};
+GS_TABLE(gs_grown_loss_c12) = {
+    -0x1.86983ad344522p-1, 0x1.9655dd30d1515p-8, 0x1.e96d938809165p-10, 0x1.48b8400e82421p-11,
+    0x1.2e096088620e5p-13, 0x1.b1bf54e0c25acp-16, 0x1.82022d1f1b3c6p-18, 0x1.95dc980244f7ep-20,
+    0x1.16b733d09f966p-22, 0x1.2ae6cb4a2a44fp-25, 0x1.aae62e3de1673p-28, 0x1.79e0d8eb58f69p-30,
+    0x1.ab326a7125871p-33, 0x1.7e95a75307cadp-36, 0x1.bb839a2c121e1p-39, 0x1.2f59909955244p-41
+};
+GS_TABLE(gs_grown_loss_c13) = {
+    0x1.4ea9c86468033p+2, -0x1.3b9c7b42ad275p-8, -0x1.58046aef2ecd5p-10, -0x1.a6043c156dd75p-12,
+    -0x1.57103e4825382p-14, -0x1.ab3328617c059p-17, -0x1.4f9e6970ecaa4p-19, -0x1.3be28d9d25667p-21,
+    -0x1.76cf8a4cff843p-24, -0x1.547f75e662430p-27, -0x1.a5e803aa04f8ap-30, -0x1.49b560e1d7f55p-32,
+    -0x1.3babffe55b8d3p-35, -0x1.dadf2faf1eca2p-39, -0x1.fefbc0f148072p-42, -0x1.2695c2a57124dp-44
+};
+GS_TABLE(gs_grown_loss_c14) = {
+    -0x1.679e316e99299p+4, 0x1.ed2ff87d74ec5p-9, 0x1.e673f45cb7b6bp-11, 0x1.1078e2bb060cep-12,
+    0x1.87fa68ad42fefp-15, 0x1.a72ea75b10838p-18, 0x1.25756a7194281p-20, 0x1.ee7269aa8c328p-23,
+    0x1.faf7867d36339p-26, 0x1.85ffd1b0b83acp-29, 0x1.a329216477645p-32, 0x1.215765e7b8a70p-34,
+    0x1.d6e5918c46682p-38, 0x1.22bfe082fa27ep-41, 0x1.199e4450fce4ap-44, 0x1.4680b8b402816p-47
+};
+GS_TABLE(gs_grown_loss_c15) = {
+    0x1.c62b7a5397fd4p+5, -0x1.875b208d7ec4ap-9, -0x1.5ca158822ad79p-11, -0x1.64212cada0bf3p-13,
+    -0x1.cc4e088afac97p-16, -0x1.ac67431f50f07p-19, -0x1.053b88ce28456p-21, -0x1.88ea9e815d092p-24,
+    -0x1.63842fa292d77p-27, -0x1.caf7a8b06d691p-31, -0x1.a961de30ccbf9p-34, -0x1.02545c8952f81p-36,
+    -0x1.6f816e6acc6afp-40, -0x1.71a8228d028f2p-44, -0x1.2a080af4148c1p-47, -0x1.5e7c2e7d983bfp-50
+};
+GS_TABLE(gs_grown_loss_c16) = {
+    -0x1.0084022f05102p+6, 0x1.34b8392f0d69fp-9, 0x1.f1b0daf7763b6p-12, 0x1.d03bf2c0108e1p-14,
+    0x1.097994541b6ddp-16, 0x1.ac5b14c16db53p-20, 0x1.cd0eb86ae5f19p-23, 0x1.3650fbba92c01p-25,
+    0x1.e5418bbd227b2p-29, 0x1.092cc1cb8e089p-32, 0x1.aa376376416d4p-36, 0x1.c8f74afb99706p-39,
+    0x1.14d4b1c83ec86p-42, 0x1.d23afe7727c0fp-47, 0x1.31aad299f5f13p-50, 0x1.485a6f32b0a18p-53
+};
+
+static inline gs_v gs_grown_loss_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_loss_centre, i));
+    const gs_v q16 = gs_pick(gs_grown_loss_c16, i);
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_grown_loss_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_loss_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_loss_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_loss_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_loss_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_loss_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_loss_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_loss_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_loss_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_loss_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_loss_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_loss_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_loss_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_loss_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_loss_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_loss_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_grown_loss_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_grown_loss_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_grown_loss_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_loss_centre, i));
+    const gs_v q16 = gs_pick(gs_grown_loss_c16, i);
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_grown_loss_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_loss_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_loss_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_loss_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_loss_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_loss_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_loss_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_loss_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_loss_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_loss_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_loss_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_loss_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_loss_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_loss_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_loss_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_loss_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_grown_loss_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_grown_loss_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* grown_loss, continued, on [7.5, 127.5): degree 15 on each of 16 pieces. */
+GS_TABLE(gs_grown_loss_tail_centre) = {
+    0x1.1000000000000p+3, 0x1.5000000000000p+3, 0x1.9000000000000p+3, 0x1.d000000000000p+3,
+    0x1.1800000000000p+4, 0x1.5800000000000p+4, 0x1.9800000000000p+4, 0x1.d800000000000p+4,
+    0x1.1c00000000000p+5, 0x1.5c00000000000p+5, 0x1.9c00000000000p+5, 0x1.dc00000000000p+5,
+    0x1.1e00000000000p+6, 0x1.5e00000000000p+6, 0x1.9e00000000000p+6, 0x1.de00000000000p+6
+};
+GS_TABLE(gs_grown_loss_tail_c0) = {
+    0x1.3f8d055c0cbb8p-1, 0x1.330c517eb1e2bp-1, 0x1.2a97c68c879abp-1, 0x1.2486f0224594ep-1,
+    0x1.1e17cfa80152bp-1, 0x1.185e25ddc19aep-1, 0x1.1478dd414487ap-1, 0x1.11a66cfd455ffp-1,
+    0x1.0ea02be083a00p-1, 0x1.0be7c88819b47p-1, 0x1.0a09cc05e348ep-1, 0x1.08ad670686ae0p-1,
+    0x1.0735fe85d3dbbp-1, 0x1.05e286885f293p-1, 0x1.04f88394e9e37p-1, 0x1.044d6d1497ee2p-1
+};
+GS_TABLE(gs_grown_loss_tail_c0_lo) = {
+    0x1.3f10759a5ad95p-58, -0x1.1d3695ba5ef39p-55, -0x1.2231bd0429b91p-56, 0x1.c8f0f7bf9be22p-56,
+    0x1.ee890a290c4d9p-56, 0x1.505e0c492c1c8p-55, 0x1.1f042ebc266c2p-56, 0x1.22f1e64f00756p-56,
+    0x1.ddfabd75a4bbap-56, 0x1.9d870e3669a55p-58, 0x1.7a8df970b5008p-55, 0x1.17fd406486356p-55,
+    0x1.ee8992fbb0fc3p-57, 0x1.e8c72be76f912p-56, 0x1.0e2a5b941b250p-55, -0x1.0632bdf8aecb2p-55
+};
+GS_TABLE(gs_grown_loss_tail_c1) = {
+    -0x1.ed7a6d7af4a27p-7, -0x1.43647305d1cdbp-7, -0x1.c4524863e9bc0p-8, -0x1.4d19aec25aa7bp-8,
+    -0x1.c46f53a7d7bafp-9, -0x1.28bd8afe76e04p-9, -0x1.a2f3f3e8c7b45p-10, -0x1.377083fdcb98ep-10,
+    -0x1.abbce65e569dep-11, -0x1.1b70cf662b42ep-11, -0x1.9307b781e6b99p-12, -0x1.2d2a3887dc812p-12,
+    -0x1.9ff552ddfc321p-13, -0x1.150b4ef01eb78p-13, -0x1.8b5366dda339bp-14, -0x1.282be61e2476ap-14
+};
+GS_TABLE(gs_grown_loss_tail_c1_lo) = {
+    -0x1.bd4e030683358p-62, -0x1.007cf47d0a3b5p-62, -0x1.7ee316693441fp-64, 0x1.2223a7970039cp-64,
+    0x1.21a629dac10aap-64, -0x1.d3526fdbb9d8bp-63, -0x1.1053ebb8f6472p-65, 0x1.b568bd3d13eb2p-64,
+    -0x1.95bfd4f60ac6fp-66, 0x1.6c85057edec44p-66, -0x1.0390532dbdde7p-68, 0x1.ea4a14df92effp-66,
+    0x1.80b4292661815p-67, 0x1.8528a57094244p-67, -0x1.b60c91b1d566dp-69, 0x1.48eb458b18c8fp-69
+};
+GS_TABLE(gs_grown_loss_tail_c2) = {
+    0x1.c50cabc50b21fp-10, 0x1.f5d7626c4638dp-11, 0x1.2a2b5b3ce0c99p-11, 0x1.7ac40b69be872p-12,
+    0x1.a8c157546cd39p-13, 0x1.c3789f6d5c728p-14, 0x1.0bd50bca080a5p-14, 0x1.575ef54ffe9b8p-15,
+    0x1.86d92908dbd93p-16, 0x1.a5b3a4405355ep-17, 0x1.f99f7e6c621a1p-18, 0x1.469e8b375f9c8p-18,
+    0x1.76e4e20d38c8cp-19, 0x1.9790d486f52d9p-20, 0x1.eb3e9cf911fa9p-21, 0x1.3e8dede52cc9cp-21
+};
+GS_TABLE(gs_grown_loss_tail_c3) = {
+    -0x1.78e6705d50a05p-13, -0x1.742279bdda901p-14, -0x1.8249121f7a79bp-15, -0x1.ac0d0be8147fcp-16,
+    -0x1.8e31e2cd185f7p-17, -0x1.5743d6ae8a7b6p-18, -0x1.565396ede1abbp-19, -0x1.7a7a4b51648f8p-20,
+    -0x1.65132f8340ac2p-21, -0x1.39aa0a5ade808p-22, -0x1.3d232e9c0c929p-23, -0x1.623388443b3fep-24,
+    -0x1.51de317937844p-25, -0x1.2bc7ac9c44c42p-26, -0x1.31361576b7dcep-27, -0x1.569f812a9ce56p-28
+};
+GS_TABLE(gs_grown_loss_tail_c4) = {
+    0x1.1090b98ee29a7p-16, 0x1.fd997f2495d96p-18, 0x1.e24fce36dc8bcp-19, 0x1.dcb1917930fa9p-20,
+    0x1.741995574b8eep-21, 0x1.04d355d72f54ep-22, 0x1.b56424b21fa06p-24, 0x1.a1118c2678247p-25,
+    0x1.4629773591278p-26, 0x1.d28de23276a4fp-28, 0x1.8dcbbb737bbe0p-29, 0x1.80164cb8509e3p-30,
+    0x1.307c0d433c317p-31, 0x1.b8fc3604b9ed8p-33, 0x1.7b3f8d4048087p-34, 0x1.7081067c9e89bp-35
+};
+GS_TABLE(gs_grown_loss_tail_c5) = {
+    -0x1.4cf6ec273bc17p-20, -0x1.356ea9fa80743p-21, -0x1.1a29486f06a63p-22, -0x1.0196d2e4bb0ccp-23,
+    -0x1.592048ada1e09p-25, -0x1.8bef67ae19f2fp-27, -0x1.17535dddd86e5p-28, -0x1.cb7b16ffb8368p-30,
+    -0x1.29dfa6e75d9efp-31, -0x1.5af1606ef391dp-33, -0x1.f2ecee6b77d53p-35, -0x1.a077aaf91fd42p-36,
+    -0x1.12631cef39192p-37, -0x1.445753421e729p-39, -0x1.d73bfed30ecfcp-41, -0x1.8c5551724fa85p-42
+};
+GS_TABLE(gs_grown_loss_tail_c6) = {
+    0x1.601479219c422p-24, 0x1.3e318a436a4dep-25, 0x1.2a43b917f0f20p-26, 0x1.080d2a9256763p-27,
+    0x1.3b1a14cbd403cp-29, 0x1.2bd138749dda0p-31, 0x1.649871506d4ddp-33, 0x1.fa14a34382ba4p-35,
+    0x1.0ffe2c05ea351p-36, 0x1.01f777e2ad90cp-38, 0x1.38db2a66da1fdp-40, 0x1.c38c78522f81ep-42,
+    0x1.ee81de26ce618p-44, 0x1.dd1608870e720p-46, 0x1.24c2634973c94p-47, 0x1.aa41d10da3869p-49
+};
+GS_TABLE(gs_grown_loss_tail_c7) = {
+    -0x1.92e5ebcafa6eap-28, -0x1.076496278cfb9p-29, -0x1.0ee4bfbaa2a95p-30, -0x1.f185e46ceb853p-32,
+    -0x1.175c9f0cf9a24p-33, -0x1.c3c4f85c61e10p-36, -0x1.c6e040be5dcb0p-38, -0x1.16a0c65675327p-39,
+    -0x1.f0a3b6f49c6fdp-42, -0x1.7f93264993cdbp-44, -0x1.88539817c1c39p-46, -0x1.e98de0cbd634fp-48,
+    -0x1.bd9639016e0bbp-50, -0x1.5edf288f7007dp-52, -0x1.6bc070448488ep-54, -0x1.ca6ec1920442fp-56
+};
+GS_TABLE(gs_grown_loss_tail_c8) = {
+    0x1.6680fbb21f3bbp-31, 0x1.6714417098f96p-34, 0x1.83d62a98f60fap-35, 0x1.9b374aba62856p-36,
+    0x1.d77242ac9efb3p-38, 0x1.50e2c6a874646p-40, 0x1.21a7916f19205p-42, 0x1.32b22595b78bbp-44,
+    0x1.c5571f287aedap-47, 0x1.1d23e266ce36ep-49, 0x1.ebf19ba311c14p-52, 0x1.095ce0e344bfbp-53,
+    0x1.917cff91fea69p-56, 0x1.020a3c57e0a22p-58, 0x1.c3f3159c26fabp-61, 0x1.ed07620896fedp-63
+};
+GS_TABLE(gs_grown_loss_tail_c9) = {
+    -0x1.97fa13533c428p-34, -0x1.67fe6dffbc3d6p-38, -0x1.6028a6d4207ddp-40, -0x1.11333ce230184p-40,
+    -0x1.6fbc9964bf634p-42, -0x1.ecfe244f08382p-45, -0x1.6fa8e44cb56a2p-47, -0x1.51662434948aep-49,
+    -0x1.9dbf7c76bba23p-52, -0x1.a7e2f3350a102p-55, -0x1.34672d5fb34bap-57, -0x1.1fa9861255bafp-59,
+    -0x1.69bd095175e12p-62, -0x1.7b86f2090fce3p-65, -0x1.18c29d576f404p-67, -0x1.091d16f71c093p-69
+};
+GS_TABLE(gs_grown_loss_tail_c10) = {
+    0x1.9fde2ebb59a14p-37, 0x1.b13f2784492afp-41, 0x1.742b77b2297edp-48, 0x1.b9e499f1d79bap-46,
+    0x1.f9d2d724f479bp-47, 0x1.5d49cd71d0bdbp-49, 0x1.cf99f1ed14a1ep-52, 0x1.72c5d898bda73p-54,
+    0x1.798cf6559f611p-57, 0x1.3b0a5487b0ddap-60, 0x1.82a67abe4feb7p-63, 0x1.37d122102bcafp-65,
+    0x1.45e9fa776e16dp-68, 0x1.1719353ed568cp-71, 0x1.5cd2258453b80p-74, 0x1.1d1c970edc650p-76
+};
+GS_TABLE(gs_grown_loss_tail_c11) = {
+    -0x1.54915a69c90bcp-40, -0x1.0a630251d161bp-43, -0x1.1f5c7e442d4a2p-50, 0x1.e19ca407351d7p-52,
+    -0x1.14c26dd981a82p-51, -0x1.d605b1ebce24fp-54, -0x1.20c4fb8e658e1p-56, -0x1.9690f2cf2ed4ep-59,
+    -0x1.5870556f65a2dp-62, -0x1.d43cad57b095dp-66, -0x1.e4b65d5a6e3bbp-69, -0x1.51faceb37ef5bp-71,
+    -0x1.259f1c82274ccp-74, -0x1.9a79eb6acc128p-78, -0x1.b15ef1a4e61e9p-81, -0x1.329cf7d4b59a1p-83
+};
+GS_TABLE(gs_grown_loss_tail_c12) = {
+    0x1.b826ba3d15f7bp-44, 0x1.f8074ceb0eef6p-47, 0x1.68febe936789fp-51, -0x1.81cde7727b06dp-54,
+    0x1.3852663e57936p-57, 0x1.236cb6405b6f7p-58, 0x1.6054320731942p-61, 0x1.bbe518520bb96p-64,
+    0x1.39c48a3b8f158p-67, 0x1.5bc1370c7f8f4p-71, 0x1.2fb927b8720e6p-74, 0x1.6e43ea50f76b2p-77,
+    0x1.083a14983996ep-80, 0x1.2db1db0ff1145p-84, 0x1.0d22f98f69d53p-87, 0x1.49afb6fbbff67p-90
+};
+GS_TABLE(gs_grown_loss_tail_c13) = {
+    -0x1.cddc32e7309afp-48, -0x1.6ec66e2fad189p-50, -0x1.efa7df8e3ace0p-54, 0x1.a1fa7277fb965p-59,
+    0x1.f976690641e38p-62, -0x1.3ae1c0da4f2bfp-63, -0x1.9fd1649872213p-66, -0x1.e10435cc35945p-69,
+    -0x1.1dfd568cc909bp-72, -0x1.02604cef7fe48p-76, -0x1.7cb242bf391bdp-80, -0x1.8cf35cc08a312p-83,
+    -0x1.dc0dc6d3c6d3dp-87, -0x1.bbaf1278492a4p-91, -0x1.4e5bb4e20407fp-94, -0x1.6289c8e60cdd3p-97
+};
+GS_TABLE(gs_grown_loss_tail_c14) = {
+    0x1.09ea1161a43cfp-51, 0x1.965057196ad82p-54, 0x1.c44d5f5e75c1ep-57, 0x1.c651de8c799bfp-62,
+    -0x1.0d80df26be812p-64, 0x1.f189a6fd04229p-69, 0x1.d84e61c32ba8ap-71, 0x1.0586ccc2c5d2fp-73,
+    0x1.12782c7c5cc06p-77, 0x1.8d9ada14d8c47p-82, 0x1.e9252931c9eb5p-86, 0x1.b63906d38c84fp-89,
+    0x1.c3bd5c5731ef8p-93, 0x1.51a6182585659p-97, 0x1.a9a3f2d6b336fp-101, 0x1.8445d2cb64ec1p-104
+};
+GS_TABLE(gs_grown_loss_tail_c15) = {
+    -0x1.e39a1c7870b29p-55, -0x1.2faa70b8e8951p-58, -0x1.2eba6c3e1ae86p-60, -0x1.5a8a2d12bc788p-64,
+    0x1.f23681f8475bcp-69, -0x1.a87d25c90ebcdp-77, -0x1.e3aa59f6ee83dp-76, -0x1.115f728b4f276p-78,
+    -0x1.f273d78772ac9p-83, -0x1.2756c084e0e2ep-87, -0x1.3282673145a69p-91, -0x1.dae1e24eb48ccp-95,
+    -0x1.96e9774cd3166p-99, -0x1.f087db3cee426p-104, -0x1.08621d8d52dc3p-107, -0x1.a187113c569c3p-111
+};
+
+static inline gs_v gs_grown_loss_tail_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_loss_tail_centre, i));
+    const gs_v q15 = gs_pick(gs_grown_loss_tail_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_loss_tail_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_loss_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_loss_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_loss_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_loss_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_loss_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_loss_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_loss_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_loss_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_loss_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_loss_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_loss_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_loss_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_loss_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_loss_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_grown_loss_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_grown_loss_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_grown_loss_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_loss_tail_centre, i));
+    const gs_v q15 = gs_pick(gs_grown_loss_tail_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_loss_tail_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_loss_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_loss_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_loss_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_loss_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_loss_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_loss_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_loss_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_loss_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_loss_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_loss_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_loss_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_loss_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_loss_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_loss_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_grown_loss_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_grown_loss_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), on [0.0, 7.5): degree 17 on each of 16 pieces. */
+GS_TABLE(gs_grown_balance_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-3, 0x1.4000000000000p-2, 0x1.c000000000000p-2,
+    0x1.4000000000000p-1, 0x1.c000000000000p-1, 0x1.2000000000000p+0, 0x1.6000000000000p+0,
+    0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1, 0x1.a000000000000p+1,
+    0x1.0000000000000p+2, 0x1.4000000000000p+2, 0x1.8000000000000p+2, 0x1.c000000000000p+2
+};
+GS_TABLE(gs_grown_balance_c0) = {
+    0x1.0000000000000p+0, 0x1.e7a94cf06e84fp-1, 0x1.de0e2e31892e0p-1, 0x1.d8443dbb59893p-1,
+    0x1.d507267c17d94p-1, 0x1.d842de9dce088p-1, 0x1.e1dc71e7dc03fp-1, 0x1.f05220701959ap-1,
+    0x1.0691cff73c5c8p+0, 0x1.1f006effac61dp+0, 0x1.3c2695b5ae896p+0, 0x1.5d1a30979f538p+0,
+    0x1.942eb5025373cp+0, 0x1.e560c739c7543p+0, 0x1.1e30df14769e1p+1, 0x1.4b66620da4053p+1
+};
+GS_TABLE(gs_grown_balance_c0_lo) = {
+    0x0.0p+0, 0x1.2353e64a3f9f2p-56, 0x1.eca4c09700db5p-60, 0x1.1d9422299a569p-56,
+    -0x1.403d83c252d78p-55, -0x1.269db5fca9487p-56, 0x1.5172af31a4a3bp-55, -0x1.b0fffe6a75eebp-57,
+    -0x1.deae7fe25115cp-54, 0x1.e3359006ccfabp-54, -0x1.2d4582fdd3760p-54, 0x1.a08ea3823d63fp-56,
+    -0x1.cccfa0cc3103bp-54, 0x1.84adedd5d7cadp-54, -0x1.36bf11e17e217p-53, -0x1.713f249078489p-53
+};
+GS_TABLE(gs_grown_balance_c1) = {
+    -0x1.5555555555555p-2, -0x1.7bdd99f40ae91p-3, -0x1.e24f08d26e617p-4, -0x1.0b338207c693cp-4,
+    -0x1.5bcb07b3bb050p-8, 0x1.aeed6d621ff1dp-5, 0x1.8724755d3cf1ep-4, 0x1.08ac622179e5dp-3,
+    0x1.5aae13f505f77p-3, 0x1.af893be7b3581p-3, 0x1.f2dc2b611e110p-3, 0x1.14e30bbd2bf9fp-2,
+    0x1.34fd3d3576ecep-2, 0x1.5250d6af3eafbp-2, 0x1.6420c34ffa73bp-2, 0x1.6e35157427c85p-2
+};
+GS_TABLE(gs_grown_balance_c1_lo) = {
+    -0x1.555553e861089p-56, -0x1.a8ee6b7613a1dp-57, -0x1.36e0b9d032ce0p-58, -0x1.dacb198e743d8p-58,
+    0x1.2efe3bfeb8f4fp-62, -0x1.80d09d99a8556p-60, -0x1.0425d1d356b3ep-58, 0x1.cdfd13c59018bp-60,
+    -0x1.db6efa3ed3530p-58, 0x1.3ac26c2c9ca29p-58, 0x1.03dfb1440435fp-57, -0x1.d893571b4e49ep-57,
+    -0x1.6b9bc2aeade65p-56, 0x1.30b0d49395e49p-60, 0x1.345586c19abfdp-56, 0x1.1b384f9110e93p-57
+};
+GS_TABLE(gs_grown_balance_c2) = {
+    0x1.0000000000000p-1, 0x1.3d782488935e9p-2, 0x1.e4af9d83974d7p-3, 0x1.7dec63a8c403bp-3,
+    0x1.18d3c2c625d6dp-3, 0x1.9225025e80116p-4, 0x1.3435c8e8cc84dp-4, 0x1.f197cbe4a9118p-5,
+    0x1.82d462a165f43p-5, 0x1.2b795690dc888p-5, 0x1.e48db5b1a2753p-6, 0x1.8d28810ef2639p-6,
+    0x1.23ad849ab5732p-6, 0x1.6e52f7f0b3655p-7, 0x1.abc1e35261902p-8, 0x1.d2f9cbd87a816p-9
+};
+GS_TABLE(gs_grown_balance_c3) = {
+    -0x1.e1a8c536fe1a9p-2, -0x1.e723d2dddc74bp-3, -0x1.476704f2c8748p-3, -0x1.c8426057c5a1cp-4,
+    -0x1.1876a3b259137p-4, -0x1.3e8cc3ffd2921p-5, -0x1.86b33ca8bb54dp-6, -0x1.ff98afee69a8cp-7,
+    -0x1.2ea35e86f7cbep-7, -0x1.6af52810178bbp-8, -0x1.0493c766b1070p-8, -0x1.a53879bf7576cp-9,
+    -0x1.4f1a023c9e80bp-9, -0x1.ea0d998002f36p-10, -0x1.470bd82a018fcp-10, -0x1.8bb36dd00e76bp-11
+};
+GS_TABLE(gs_grown_balance_c4) = {
+    0x1.dd8cf5411b37cp-2, 0x1.97153cdc17f48p-3, 0x1.ef4a722fca5a9p-4, 0x1.3b1bfdc51bef7p-4,
+    0x1.5631a080dfd2cp-5, 0x1.4e688edecc2fcp-6, 0x1.63797ea5e6c45p-7, 0x1.9241dd3c410e4p-8,
+    0x1.74d03aa3394efp-9, 0x1.2ba6cd61f4b8ap-10, 0x1.0fd082c8a22bcp-11, 0x1.282844993cf71p-12,
+    0x1.8031989253ef9p-13, 0x1.5a82512f6a5f4p-13, 0x1.29df049e67f26p-13, 0x1.b0d1b9431b602p-14
+};
+GS_TABLE(gs_grown_balance_c5) = {
+    -0x1.d9d92bcba96c1p-2, -0x1.545b22864abd5p-3, -0x1.76f748e964f67p-4, -0x1.b42b084b425e5p-5,
+    -0x1.a443253e1aa08p-6, -0x1.66691fb521a58p-7, -0x1.53ffadcf02299p-8, -0x1.5df7232be05a3p-9,
+    -0x1.21891888d6f78p-10, -0x1.9a026c6f51969p-12, -0x1.36edd99803598p-13, -0x1.ca8b71bcf8afep-15,
+    -0x1.331d89fe960eap-17, -0x1.5380e8a6f0a71p-19, -0x1.c35d2cd5d44ccp-18, -0x1.1240c64e9ab23p-17
+};
+GS_TABLE(gs_grown_balance_c6) = {
+    0x1.d6a4e96053f7fp-2, 0x1.1ca0d97862d77p-3, 0x1.1bace9b2a5fc6p-4, 0x1.2d3fe75949e5bp-5,
+    0x1.00bca9d3d57e6p-6, 0x1.7b8dfb7ca39e9p-8, 0x1.3e0cc0adcf6d1p-9, 0x1.25f3ac6f140c8p-10,
+    0x1.aa71d773ccf81p-12, 0x1.0e24159cb6ad5p-13, 0x1.90ee669297738p-15, 0x1.3fedade6b0482p-16,
+    0x1.173fc049c8346p-18, -0x1.1c1c9149193d2p-21, -0x1.2fbd6899febd7p-21, 0x1.fc9c61f61cd1dp-25
+};
+GS_TABLE(gs_grown_balance_c7) = {
+    -0x1.d3fb3aaff0404p-2, -0x1.dc99309ee2effp-4, -0x1.adbaf7f88ad63p-5, -0x1.a0a23da5d93e5p-6,
+    -0x1.3a0b35f048215p-7, -0x1.922c78ed31700p-9, -0x1.290b441bd709bp-10, -0x1.ea54e53c3ade4p-12,
+    -0x1.31be4d745a921p-13, -0x1.468448463a92bp-15, -0x1.ae5bef2d25b11p-17, -0x1.4f52991a9e787p-18,
+    -0x1.837a0ef4d20f3p-20, -0x1.871375ee76ecap-23, 0x1.79ba3edb56787p-24, 0x1.31f01fff24243p-24
+};
+GS_TABLE(gs_grown_balance_c8) = {
+    0x1.d1b66c6590227p-2, 0x1.8f59d88135ddfp-4, 0x1.45c451c10ef15p-5, 0x1.205caa3e50205p-6,
+    0x1.808a30bc9f86bp-8, 0x1.aac8cedd66766p-10, 0x1.161f322072a31p-11, 0x1.9aa528f770636p-13,
+    0x1.b95782f5bf80cp-15, 0x1.8a5ab58ffb718p-17, 0x1.b6872d1a8b71cp-19, 0x1.25c1571bcc03dp-20,
+    0x1.3de6231ce300ap-22, 0x1.346116f926601p-24, 0x1.0eb12ad66b39ap-27, -0x1.ed1204a495b45p-28
+};
+GS_TABLE(gs_grown_balance_c9) = {
+    -0x1.cfc6a44843f83p-2, -0x1.4ed55b8e494b9p-4, -0x1.ee3783a51eb0bp-6, -0x1.8f68a24e10e46p-7,
+    -0x1.d724125e84a52p-9, -0x1.c52a9e7a750e1p-11, -0x1.04962704deae2p-12, -0x1.5853be59da315p-14,
+    -0x1.3fd679fcec741p-16, -0x1.e3e28f2e6301ap-19, -0x1.cdeac809c9b41p-21, -0x1.05c5ee58988aap-22,
+    -0x1.aafa9e71c5fecp-25, -0x1.9907a0474bf52p-27, -0x1.eed81569231b2p-29, -0x1.5c4fae9d43cb1p-32
+};
+GS_TABLE(gs_grown_balance_c10) = {
+    0x1.cec67639abbdep-2, 0x1.18e16aba79b28p-4, 0x1.7712f2b9e4832p-6, 0x1.14bf8f4653b1fp-7,
+    0x1.20c3b5095660fp-9, 0x1.e1659ea16ad9ep-12, 0x1.e87ba5b34bbffp-14, 0x1.20c189a9c0a70p-15,
+    0x1.cf695f5a3e584p-18, 0x1.294a5be3ff617p-20, 0x1.ef1f2badb6f57p-23, 0x1.f073f5fcc27f7p-25,
+    0x1.3932b172b0ab4p-27, 0x1.736b4ca2ff854p-30, 0x1.1b06eb17ea257p-31, 0x1.792e2e998eca0p-33
+};
+GS_TABLE(gs_grown_balance_c11) = {
+    -0x1.d94ce3d7de874p-2, -0x1.d76faccbc5db8p-5, -0x1.1cc55fcf8781fp-6, -0x1.7fac7be19f30dp-8,
+    -0x1.621df1a95d400p-10, -0x1.ff98fd5a90e77p-13, -0x1.ca074b9d6f13cp-15, -0x1.e47a2c2844819p-17,
+    -0x1.4fb2af45d7f0ep-19, -0x1.6c6f96ffc7ceap-22, -0x1.07d394480f45fp-24, -0x1.d9b8002a47ac4p-27,
+    -0x1.06a9c1bac7acdp-29, -0x1.6d068c9122abcp-33, -0x1.5d729cfb486c7p-35, -0x1.944e120709052p-36
+};
+GS_TABLE(gs_grown_balance_c12) = {
+    0x1.335c28db2bfabp-1, 0x1.8bc4f37b99b93p-5, 0x1.b09127e347f5cp-7, 0x1.0a0c1963d0f96p-8,
+    0x1.b2691d152516ep-11, 0x1.0ff0d7d666e37p-13, 0x1.ad9fbcb7fbed5p-16, 0x1.9694e1912582cp-18,
+    0x1.e69442fa0bd30p-21, 0x1.bec2c988a8c40p-24, 0x1.17ea6b4fe5067p-26, 0x1.bc4165527806bp-29,
+    0x1.b7caa566113d9p-32, 0x1.150f8127b13abp-35, 0x1.09b432f08b072p-39, 0x1.99cfd72d4a932p-40
+};
+GS_TABLE(gs_grown_balance_c13) = {
+    -0x1.c38494885e54bp+0, -0x1.4c57932a701a2p-5, -0x1.48a117ba190a3p-7, -0x1.711283bb783c0p-9,
+    -0x1.0a884a3dd1c32p-11, -0x1.212f7e88673dap-14, -0x1.9319098093887p-17, -0x1.554f4303ebc90p-19,
+    -0x1.60c16259be055p-22, -0x1.120cb592df1dfp-25, -0x1.2958e478befa8p-28, -0x1.9e90805473856p-31,
+    -0x1.5d9fafa0fed7dp-34, -0x1.c72633e0450f4p-38, -0x1.590e5a54a19afp-42, 0x1.8fd70e1718775p-47
+};
+GS_TABLE(gs_grown_balance_c14) = {
+    0x1.0c64b2b55798ep+3, 0x1.172126bb7d919p-5, 0x1.f36eb7f3733cfp-8, 0x1.000d5e217a97ap-9,
+    0x1.470b799cbcfa8p-12, 0x1.338c8c2541142p-15, 0x1.7a43ef9a2606cp-18, 0x1.1e916e3e909c8p-20,
+    0x1.ff4a190ec30c9p-24, 0x1.50371f0e5ee88p-27, 0x1.3c471b1253e29p-30, 0x1.84975937c1071p-33,
+    0x1.10ed548e7a3aap-36, 0x1.3ddb0ddbf8a2ap-40, 0x1.bd229ff17e3e1p-44, -0x1.1f6f7e52f4ae2p-47
+};
+GS_TABLE(gs_grown_balance_c15) = {
+    -0x1.00f30fadae3a2p+5, -0x1.d5008c4088378p-6, -0x1.7b99f8705ab86p-8, -0x1.635ed13299ebbp-10,
+    -0x1.9180b806ae104p-13, -0x1.47346336b5043p-16, -0x1.631372f5e5ae7p-19, -0x1.e1592a1382e69p-22,
+    -0x1.72d509fd56b5ep-25, -0x1.9ca87593716cep-29, -0x1.50816579ff9c4p-32, -0x1.6d3c14beac08bp-35,
+    -0x1.b0febd0a58085p-39, -0x1.88604fa0a08b1p-43, -0x1.621bdaff28e22p-46, -0x1.2d601b8975765p-51
+};
+GS_TABLE(gs_grown_balance_c16) = {
+    0x1.2e07807ac24afp+6, 0x1.8f0abfdb88317p-6, 0x1.2389ae260200ap-8, 0x1.f184c166af660p-11,
+    0x1.fa6f014aa80a3p-14, 0x1.6341ca230a3c9p-17, 0x1.529efd66ab397p-20, 0x1.996b01adce83dp-23,
+    0x1.175a798f68150p-26, 0x1.042de86f4b166p-30, 0x1.6d405ad246047p-34, 0x1.5c6fe666cb78dp-37,
+    0x1.6c21ebef7e8f3p-41, 0x1.f52da5936b60bp-46, 0x1.85dd1f4d1fe6dp-49, 0x1.83ec17ca1fd05p-52
+};
+GS_TABLE(gs_grown_balance_c17) = {
+    -0x1.417c3413460acp+6, -0x1.4f5b1e66fc2ebp-6, -0x1.bb543b225588bp-9, -0x1.595e8c8933f37p-11,
+    -0x1.36fa66ba5aa97p-14, -0x1.7a1927a335456p-18, -0x1.3dfa278b01551p-21, -0x1.57f960f6819d2p-24,
+    -0x1.955fa98ef6597p-28, -0x1.3f72fd31e1a6dp-32, -0x1.84a013a28a7cbp-36, -0x1.47069cd62c62bp-39,
+    -0x1.23cd747791bd3p-43, -0x1.4e87ab026161ep-48, -0x1.54c466dc9da29p-52, -0x1.00bbb599ab751p-54
+};
+
+static inline gs_v gs_grown_balance_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_balance_centre, i));
+    const gs_v q17 = gs_pick(gs_grown_balance_c17, i);
+    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_grown_balance_c16, i));
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_grown_balance_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_balance_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_balance_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_balance_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_balance_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_balance_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_balance_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_balance_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_balance_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_balance_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_balance_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_balance_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_balance_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_balance_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_balance_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_balance_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_grown_balance_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_grown_balance_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_grown_balance_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_balance_centre, i));
+    const gs_v q17 = gs_pick(gs_grown_balance_c17, i);
+    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_grown_balance_c16, i));
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_grown_balance_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_balance_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_balance_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_balance_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_balance_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_balance_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_balance_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_balance_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_balance_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_balance_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_balance_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_balance_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_balance_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_balance_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_balance_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_balance_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_grown_balance_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_grown_balance_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* grown_balance, continued, on [7.5, 127.5): degree 13 on each of 16 pieces. */
+GS_TABLE(gs_grown_balance_tail_centre) = {
+    0x1.1000000000000p+3, 0x1.5000000000000p+3, 0x1.9000000000000p+3, 0x1.d000000000000p+3,
+    0x1.1800000000000p+4, 0x1.5800000000000p+4, 0x1.9800000000000p+4, 0x1.d800000000000p+4,
+    0x1.1c00000000000p+5, 0x1.5c00000000000p+5, 0x1.9c00000000000p+5, 0x1.dc00000000000p+5,
+    0x1.1e00000000000p+6, 0x1.5e00000000000p+6, 0x1.9e00000000000p+6, 0x1.de00000000000p+6
+};
+GS_TABLE(gs_grown_balance_tail_c0) = {
+    0x1.90d2aeabb0cebp+1, 0x1.ee8b920f3ac0ep+1, 0x1.26507f9e47458p+2, 0x1.5564e2c153258p+2,
+    0x1.9c066deeb5ff8p+2, 0x1.fa33bdcd6eda7p+2, 0x1.2c308b3390aa9p+3, 0x1.5b47379f1bf27p+3,
+    0x1.a1e93a419d9adp+3, 0x1.000b498d28a98p+4, 0x1.2f21f5f98287fp+4, 0x1.5e38a265dc666p+4,
+    0x1.a4daa50863340p+4, 0x1.0183fef08b787p+5, 0x1.309aab5ce556ep+5, 0x1.5fb157c93f355p+5
+};
+GS_TABLE(gs_grown_balance_tail_c0_lo) = {
+    -0x1.e7cb4daa217a6p-56, 0x1.910db1cd8fe4cp-54, 0x1.69d811923de7ep-52, 0x1.045f85b453549p-54,
+    -0x1.cacf64306bba3p-55, -0x1.af22153fcd6bbp-53, -0x1.0811d5c1efdf5p-52, 0x1.04e18d79bfef2p-52,
+    0x1.872e597e736c2p-51, -0x1.21d4ee27a2a2dp-52, -0x1.e1ed373b97780p-52, -0x1.2a4c893cfdcdbp-51,
+    0x1.3fdcc4e2e4051p-50, 0x1.068b7c94c4815p-50, 0x1.9a74688d4a4adp-51, 0x1.27d1d7f10b930p-51
+};
+GS_TABLE(gs_grown_balance_tail_c1) = {
+    0x1.75285693c5965p-2, 0x1.77f456e8e35d9p-2, 0x1.788fa3740da61p-2, 0x1.78ae6b3961cd8p-2,
+    0x1.78b4e0240ecbbp-2, 0x1.78b55fb65bef5p-2, 0x1.78b5634a60506p-2, 0x1.78b5636234b91p-2,
+    0x1.78b56362ce64ep-2, 0x1.78b56362cef37p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2,
+    0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2
+};
+GS_TABLE(gs_grown_balance_tail_c1_lo) = {
+    0x1.c9a8813b210a9p-56, -0x1.e9f736a5a29fap-56, 0x1.d295a0c722cc3p-58, 0x1.14f5cc539da3bp-56,
+    0x1.f8f9dfd824544p-56, 0x1.4ae72505c1539p-56, 0x1.9623a99553ffdp-61, 0x1.1ccf1221488bep-56,
+    -0x1.1bc62ef87bd32p-57, -0x1.84d7176a57d13p-56, -0x1.cba8479387121p-57, -0x1.ca8a63519623cp-57,
+    -0x1.ca8a42710e0e9p-57, -0x1.ca8a4270fadf5p-57, -0x1.ca8a4270fadf5p-57, -0x1.ca8a4270fadf5p-57
+};
+GS_TABLE(gs_grown_balance_tail_c2) = {
+    0x1.540c885afc560p-10, 0x1.3418f5a735b3ap-12, 0x1.f67f51dec5d78p-15, 0x1.7deac2f298fccp-17,
+    0x1.cef33e0570b93p-21, 0x1.a95065b8b4519p-26, 0x1.679437031edcep-31, 0x1.1f26db53a2fc1p-36,
+    0x1.0cec34e2b133fp-44, 0x1.1a1eb7536a4f2p-55, 0x1.12cc1babd7366p-66, 0x1.fc32a90a6a24dp-78,
+    0x1.212560e49ffebp-94, 0x1.9ad8f7ec7d339p-117, 0x1.103e4ad7be290p-139, 0x1.576e7d1f2ec1ep-162
+};
+GS_TABLE(gs_grown_balance_tail_c3) = {
+    -0x1.40d1c318ce2cap-12, -0x1.3d5b4384a7a94p-14, -0x1.10fe4d2e683cdp-16, -0x1.add653a494ad1p-19,
+    -0x1.0db67133176b1p-22, -0x1.fe0e5c10bd01bp-28, -0x1.b75427220cbccp-33, -0x1.63714aa851b0fp-38,
+    -0x1.516e5bd04762fp-46, -0x1.6639bd2e40b74p-57, -0x1.5fba6f318ca04p-68, -0x1.471be7abc8b32p-79,
+    -0x1.800bf1108d310p-96, -0x1.1301d8b053940p-118, -0x1.6e74d4db4cd03p-141, -0x1.d0228bced6475p-164
+};
+GS_TABLE(gs_grown_balance_tail_c4) = {
+    0x1.a165b4b29ab44p-15, 0x1.d520aa7e5d4b2p-17, 0x1.b1538df17222bp-19, 0x1.64915d816c55cp-21,
+    0x1.d273192bf7b4cp-25, 0x1.c7e0d61a9cf9cp-30, 0x1.90e3dc16685b7p-35, 0x1.48fedda8fd1f9p-40,
+    0x1.3cedea45b16d3p-48, 0x1.54baeded3e721p-59, 0x1.515df1984a8a4p-70, 0x1.3ba27755dbefep-81,
+    0x1.9a82b443045fap-98, 0x1.29e2beee742a1p-120, 0x1.9097b6f1753e3p-143, 0x1.fec6c8db942dbp-166
+};
+GS_TABLE(gs_grown_balance_tail_c5) = {
+    -0x1.783a117d91384p-18, -0x1.041668408a459p-19, -0x1.09a63d88111fep-21, -0x1.cf12da12d6a4cp-24,
+    -0x1.3eac1536f6106p-27, -0x1.43a43c276e123p-32, -0x1.234c5284a3c16p-37, -0x1.e5a51c2782bb8p-43,
+    -0x1.db4080c3ed9f8p-51, -0x1.02e97cf1d79bfp-61, -0x1.029ead6881875p-72, -0x1.e6f08a12c66d8p-84,
+    -0x1.2b751f6a4398fp-100, -0x1.b3047487ad585p-123, -0x1.24aa040557969p-145, -0x1.754ae7a8b0883p-168
+};
+GS_TABLE(gs_grown_balance_tail_c6) = {
+    0x1.9a3c677644b88p-22, 0x1.b136599a792a2p-23, 0x1.026b798529a03p-24, 0x1.e74522a8f7768p-27,
+    0x1.657027b39d856p-30, 0x1.7bd0bdc1dfaa0p-35, 0x1.5ef618e40c272p-40, 0x1.29a47b7c88d5cp-45,
+    0x1.28299fcf3e597p-53, 0x1.474ba98ac6c0fp-64, 0x1.49f1aae965b53p-75, 0x1.389fefe0d04c1p-86,
+    0x1.103115f885b25p-103, 0x1.82397b1892edbp-126, 0x1.ff094fded7e07p-149, 0x1.41d92f0145ac1p-171
+};
+GS_TABLE(gs_grown_balance_tail_c7) = {
+    -0x1.02e7c74b738d6p-30, -0x1.f9274e0912ed1p-27, -0x1.90040f6fe855ap-28, -0x1.a71fc91609cbap-30,
+    -0x1.51575f48c3ae6p-33, -0x1.7a753cd2ec266p-38, -0x1.685a302be3314p-43, -0x1.378154415600fp-48,
+    -0x1.3bd15c77873f7p-56, -0x1.625ec3b5a9342p-67, -0x1.68bcbd4d27adap-78, -0x1.5820b767a9a4cp-89,
+    -0x1.704fd94268769p-106, -0x1.0b99a8ab2b245p-128, -0x1.680b7f14ee754p-151, -0x1.cb294aff19a97p-174
+};
+GS_TABLE(gs_grown_balance_tail_c8) = {
+    -0x1.d19726ef41bb9p-29, 0x1.0c2acfcf19fd3p-31, 0x1.dc2f2be2678c1p-32, 0x1.3071dcdad3605p-33,
+    0x1.101f1f898ae1fp-36, 0x1.465371ec57b79p-41, 0x1.41a80ed642957p-46, 0x1.1c0e5c8bad7e2p-51,
+    0x1.2736238f7d9b9p-59, 0x1.50e6c39e5a81dp-70, 0x1.5aa4e60ea3a1ep-81, 0x1.4d2271d6d2956p-92,
+    0x1.59b4b1628b9bcp-108, 0x1.0514205fd4358p-130, 0x1.6885f4f375472p-153, 0x1.d4714c823a302p-176
+};
+GS_TABLE(gs_grown_balance_tail_c9) = {
+    0x1.ceb6d0924b144p-32, 0x1.a4174f711858ap-35, -0x1.7788f883a48c6p-36, -0x1.6547246e6724ep-37,
+    -0x1.7a646286f5dcbp-40, -0x1.ed9c9f47e9d64p-45, -0x1.faa08be8f1fbbp-50, -0x1.ca463d384b354p-55,
+    -0x1.e602dd8e6521fp-63, -0x1.1a1e2bcc255f9p-73, -0x1.2561f30ef22edp-84, -0x1.1c00deb4b8d99p-95,
+    -0x1.e372cc45d8b00p-112, -0x1.6cc6adede8a02p-134, -0x1.f768496823995p-157, -0x1.46e6a18e19baap-179
+};
+GS_TABLE(gs_grown_balance_tail_c10) = {
+    -0x1.1f07b3bf34c88p-36, -0x1.5eb6ac60f90dap-37, 0x1.4d98754ce100ep-44, 0x1.412fec0f2ac50p-41,
+    0x1.c5ba0a3487a1ap-44, 0x1.4a375d7496fe8p-48, 0x1.6369daee5a1afp-53, 0x1.4a43a9114d2e8p-58,
+    0x1.57954a01d6034p-66, 0x1.9457795bc2a2ep-77, 0x1.a7f3b44bcd893p-88, 0x1.9ca9600a2becep-99,
+    -0x1.eace79b908967p-117, -0x1.9f6cf136e0febp-139, -0x1.331af7c97ca39p-161, -0x1.a1a49536589bcp-184
+};
+GS_TABLE(gs_grown_balance_tail_c11) = {
+    -0x1.7acd4c0dc4651p-39, 0x1.009845000127cp-40, 0x1.12742f35f7e97p-43, -0x1.4fd2ea39c5fd1p-46,
+    -0x1.d0562f96b3ef3p-48, -0x1.8a534d34ed210p-52, -0x1.c1e5e1ac9c5d6p-57, -0x1.af5830e4b7fecp-62,
+    -0x1.d2ab85276ecd1p-70, -0x1.18820dd6fafc1p-80, -0x1.29ebe839225e2p-91, -0x1.248082ebabdf0p-102,
+    -0x1.d714f68308eb3p-125, 0x1.7fb82313d8164p-147, 0x1.2d0eb064321d6p-168, 0x1.114cfe20c0c4fp-190
+};
+GS_TABLE(gs_grown_balance_tail_c12) = {
+    0x1.4ba9d8fbd7500p-41, -0x1.48156e1be5806p-45, -0x1.1df1c32592612p-46, -0x1.76796c0e13ce6p-51,
+    0x1.891b8320a1b1ap-52, 0x1.b74f723d01708p-56, 0x1.107d85e304cdep-60, 0x1.1069ed8765c02p-65,
+    0x1.7b7492b9a13eep-73, 0x1.d9faf609dbc20p-84, 0x1.017a248a1be0fp-94, 0x1.009fb7ddc6a7cp-105,
+    0x1.6ffff1bd84b4ep-121, 0x1.1ba3d25911c6fp-143, 0x1.8cce4005363f6p-166, 0x1.0420c714dd079p-188
+};
+GS_TABLE(gs_grown_balance_tail_c13) = {
+    -0x1.f2e98437bdaa4p-45, -0x1.722130c20a2c6p-49, 0x1.5b7ce9178f89ep-50, 0x1.7b40a76962634p-53,
+    -0x1.d334af4f734b1p-57, -0x1.9d3161aed8400p-60, -0x1.19b96c6b8f4bcp-64, -0x1.25f122f3c19d5p-69,
+    -0x1.9c83517c918e0p-77, -0x1.079c4ac39ab8ap-87, -0x1.222b20de6e2a5p-98, -0x1.23ab21f409d25p-109,
+    -0x1.7e194d253f09ep-125, -0x1.283d3887097b9p-147, -0x1.9ffbaacd20233p-170, -0x1.116831ab82940p-192
+};
+
+static inline gs_v gs_grown_balance_tail_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_balance_tail_centre, i));
+    const gs_v q13 = gs_pick(gs_grown_balance_tail_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_balance_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_balance_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_balance_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_balance_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_balance_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_balance_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_balance_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_balance_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_balance_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_balance_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_balance_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_balance_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_balance_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_grown_balance_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_grown_balance_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_grown_balance_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_balance_tail_centre, i));
+    const gs_v q13 = gs_pick(gs_grown_balance_tail_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_balance_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_balance_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_balance_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_balance_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_balance_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_balance_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_balance_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_balance_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_balance_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_balance_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_balance_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_balance_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_balance_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_grown_balance_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_grown_balance_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* w with w + log(w) = y, y from 0, on [0.0, 30.0): degree 13 on each of 16 pieces. */
+GS_TABLE(gs_omega_start_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-1, 0x1.4000000000000p+0, 0x1.c000000000000p+0,
+    0x1.4000000000000p+1, 0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.6000000000000p+2,
+    0x1.c000000000000p+2, 0x1.2000000000000p+3, 0x1.6000000000000p+3, 0x1.a000000000000p+3,
+    0x1.0000000000000p+4, 0x1.4000000000000p+4, 0x1.8000000000000p+4, 0x1.c000000000000p+4
+};
+GS_TABLE(gs_omega_start_c0) = {
+    0x1.22609af8e9657p-1, 0x1.c20a78cf67478p-1, 0x1.20fa98ab07a4fp+0, 0x1.686c29ef78c2ep+0,
+    0x1.df65cbe38a5bdp+0, 0x1.47ade8b1e67f8p+1, 0x1.a6ff4291e34c6p+1, 0x1.05d5b7598a39fp+2,
+    0x1.54f07d4216612p+2, 0x1.c307c232c996fp+2, 0x1.1a535a4f834a7p+3, 0x1.5458480932c8bp+3,
+    0x1.acf0f96c6075dp+3, 0x1.12855ebb49e8dp+4, 0x1.4f51eef1fdea0p+4, 0x1.8ca21b3521b10p+4
+};
+GS_TABLE(gs_omega_start_c0_lo) = {
+    0x1.2f57eed531437p-55, -0x1.d09fba57d08fdp-55, -0x1.b5526a20c92bep-55, -0x1.2df0a18cdef79p-58,
+    -0x1.7f62aa55de056p-54, 0x1.5c11f5bcddc98p-54, -0x1.a14a1e8ef67a3p-57, -0x1.fd52d22a0849dp-54,
+    0x1.62d6d89b57d76p-54, 0x1.2888958173318p-52, 0x1.03d1fd1686e98p-55, -0x1.742f44cc6ac7ap-52,
+    0x1.6bd7ba2cf1ba8p-51, 0x1.6bcf861b58770p-50, 0x1.7e03f88eaec1ep-50, 0x1.0a50086b12d45p-51
+};
+GS_TABLE(gs_omega_start_c1) = {
+    0x1.7294eeab2aac2p-2, 0x1.df0676eeed84dp-2, 0x1.0f7dd9a920ceep-1, 0x1.2b5ddb1c70de6p-1,
+    0x1.4dc4658492c3cp-1, 0x1.702df7eef8fb9p-1, 0x1.890f2c21efa15p-1, 0x1.9b6f079931790p-1,
+    0x1.af1449de3eff9p-1, 0x1.c0606637108e8p-1, 0x1.cbe02e3b0435ep-1, 0x1.d3ff6e81352a1p-1,
+    0x1.dc74917242935p-1, 0x1.e3cd68cc965b3p-1, 0x1.e8aea6a86f354p-1, 0x1.ec25a2fa6af9dp-1
+};
+GS_TABLE(gs_omega_start_c1_lo) = {
+    -0x1.7937042734e5ep-59, 0x1.577c827057769p-58, 0x1.512090f054b59p-55, 0x1.32860ea59537dp-55,
+    -0x1.453739d7fa01bp-56, -0x1.f214f19aa281bp-56, 0x1.3645bbfb62a6fp-56, -0x1.1a7a33083b67dp-55,
+    0x1.0c4a49093ac7dp-55, 0x1.abdf7da367e87p-57, -0x1.1f59b33226394p-55, -0x1.940976b18ea8bp-56,
+    0x1.411098d377673p-55, -0x1.b840c216ec08ep-56, 0x1.647e8a6d16cc9p-55, -0x1.303da28c13f12p-56
+};
+GS_TABLE(gs_omega_start_c2) = {
+    0x1.2dc8c73ac6fc6p-4, 0x1.0f5b6d56714c2p-4, 0x1.df415d9455cbfp-5, 0x1.9d1021da83be1p-5,
+    0x1.439213c00859fp-5, 0x1.d0d0dc4fe6eecp-6, 0x1.5363e55463e77p-6, 0x1.fbf159c648466p-7,
+    0x1.5893d8f6d6a50p-7, 0x1.bb1da60f47cddp-8, 0x1.310afa875e8f7p-8, 0x1.ba72e45732f3fp-9,
+    0x1.25ed8d94633ccp-9, 0x1.77a88398112d3p-10, 0x1.037a60838332ap-10, 0x1.7adba1c6fca4cp-11
+};
+GS_TABLE(gs_omega_start_c3) = {
+    -0x1.6005c9348894fp-10, -0x1.36b418c485f1ep-8, -0x1.62a996d3b1168p-8, -0x1.58f747c17a31dp-8,
+    -0x1.1f0d93b3ab183p-8, -0x1.92f23a35997fbp-9, -0x1.11f7e318c31bep-9, -0x1.7754b5fd25b27p-10,
+    -0x1.bb305b7ce2604p-11, -0x1.dddd9b160005bp-12, -0x1.18ab06d981cb8p-12, -0x1.614fcbdba7746p-13,
+    -0x1.85fbdebde05f3p-14, -0x1.94e676eb5c07ep-15, -0x1.d5c28f4790e2bp-16, -0x1.272a8c3eb2b3bp-16
+};
+GS_TABLE(gs_omega_start_c4) = {
+    -0x1.ace27937a1496p-10, -0x1.443487957f829p-11, -0x1.7f728451da352p-14, 0x1.ab3fd91b069cdp-13,
+    0x1.65cf6fbed2211p-12, 0x1.323c6de8c8d77p-12, 0x1.a6a633110241fp-13, 0x1.14ffdaf319bfep-13,
+    0x1.270e3d4101aebp-14, 0x1.116e32dc40a80p-15, 0x1.15d6385cce84ep-16, 0x1.3230399b5c969p-17,
+    0x1.1b19881b68950p-18, 0x1.e0b423f44026ap-20, 0x1.d64cf40c9e200p-21, 0x1.fe18752a54945p-22
+};
+GS_TABLE(gs_omega_start_c5) = {
+    0x1.e6da65a68a289p-13, 0x1.0bb0929be4182p-12, 0x1.55a24c3cf3f69p-13, 0x1.45cd38913d8dap-14,
+    0x1.b755063b4fe7cp-18, -0x1.2f6f8685cb846p-16, -0x1.1527b4a4ad83bp-16, -0x1.7b28482b69d67p-17,
+    -0x1.80b280ba107eep-18, -0x1.3bf76ddfc8b58p-19, -0x1.19ee2c6bd8a01p-20, -0x1.12668ceaafc60p-21,
+    -0x1.ac633a0c5646bp-23, -0x1.2b2d96d53b763p-24, -0x1.ef6b298535935p-26, -0x1.d0dda6c30cf9dp-27
+};
+GS_TABLE(gs_omega_start_c6) = {
+    0x1.8dceab8754b5fp-15, -0x1.a4f85d0d2d525p-16, -0x1.0e05db805236dp-15, -0x1.8a596ac04d818p-16,
+    -0x1.329600c2ef745p-17, -0x1.c75d104c73c41p-21, 0x1.bd310383973b1p-21, 0x1.b2f08712bacd8p-21,
+    0x1.d6c1e2b2d629ap-22, 0x1.66ec661c66114p-23, 0x1.1e92dc1474034p-24, 0x1.f1941867c140ap-26,
+    0x1.4a9f7265fde59p-27, 0x1.7e19eeb1918c1p-29, 0x1.0ca1bcb939de2p-30, 0x1.b513687ed2f7dp-32
+};
+GS_TABLE(gs_omega_start_c7) = {
+    -0x1.3dd5e4c77ebc9p-16, -0x1.a18d05aeeac2fp-18, 0x1.344eac37fb712p-20, 0x1.a45a3c937d0dbp-19,
+    0x1.130f39903f330p-19, 0x1.1e7c8d526be83p-21, 0x1.e9873dad8cf8bp-25, -0x1.2085af3d82ed9p-25,
+    -0x1.fb170303bf58cp-26, -0x1.879cb7bc340cfp-27, -0x1.1f607000a2cc7p-28, -0x1.c2959ecc33467p-30,
+    -0x1.013e72ae4ea90p-31, -0x1.eeff136e7eed8p-34, -0x1.2879cbf4b7f2bp-35, -0x1.a315640426b2fp-37
+};
+GS_TABLE(gs_omega_start_c8) = {
+    -0x1.61d5cdfce871bp-26, 0x1.57e43b817770ep-19, 0x1.2167a2d69f23ep-20, 0x1.dc8fd0e5b11fcp-25,
+    -0x1.17c00e9bd4b02p-22, -0x1.d7fa004436175p-24, -0x1.b19634b90c2fep-26, -0x1.8bf44d19e7cbbp-29,
+    0x1.910cda198e3f2p-30, 0x1.8dbffa9e07f07p-31, 0x1.185ac210adf0cp-32, 0x1.93a6bc0e790e4p-34,
+    0x1.907f3e9f8aa2ep-36, 0x1.42f368e24f830p-38, 0x1.4ab74d8adf537p-40, 0x1.96fb3bc6f35d5p-42
+};
+GS_TABLE(gs_omega_start_c9) = {
+    0x1.3ba8212d315b3p-20, -0x1.087644712aca1p-22, -0x1.562ab0a171401p-22, -0x1.20ba93683da96p-23,
+    0x1.a73da23791756p-28, 0x1.0645f09ce2b7bp-26, 0x1.46829046b4827p-28, 0x1.1707c37abd2f0p-30,
+    0x1.8f2b4a6a7f916p-39, -0x1.61514ab3ae205p-35, -0x1.056fa32b06c77p-36, -0x1.627f00abd6a3ap-38,
+    -0x1.361dae8587047p-40, -0x1.a67486c20b985p-43, -0x1.73325a77ded72p-45, -0x1.8e85c42f3b376p-47
+};
+GS_TABLE(gs_omega_start_c10) = {
+    -0x1.7bc64e7678890p-23, -0x1.665956fbe4e27p-24, 0x1.0265f3eacba4cp-25, 0x1.1fa3ed54e76fcp-25,
+    0x1.c5cae18550a93p-28, -0x1.64040f2819e00p-30, -0x1.69f953873a259p-31, -0x1.7fc254b1723b5p-33,
+    -0x1.f1fa47d82b421p-37, 0x1.c1ef3aa311d77p-40, 0x1.c4bd417545d54p-41, 0x1.2de6f17666911p-42,
+    0x1.db1b58d97deb5p-45, 0x1.13f3b5a08d70ep-47, 0x1.a1d578108d149p-50, 0x1.8842da80f35a1p-52
+};
+GS_TABLE(gs_omega_start_c11) = {
+    -0x1.e07e520685b7ap-25, 0x1.1d918825573f9p-25, 0x1.0c1bcce6a0c44p-27, -0x1.d85976a4ac640p-29,
+    -0x1.121ebd21be0e5p-29, -0x1.3dd53c32d0408p-35, 0x1.2f189fa056389p-34, 0x1.981ae1861865fp-36,
+    0x1.6d64d3d3fd262p-39, 0x1.f431fe7401d28p-47, -0x1.55950fdbd4a81p-45, -0x1.eac3c8d9a1a6bp-47,
+    -0x1.66517ae1f1574p-49, -0x1.671d497a153d4p-52, -0x1.d6a84d5b0c955p-55, -0x1.8348a61c1a588p-57
+};
+GS_TABLE(gs_omega_start_c12) = {
+    0x1.c07a375ec2621p-26, -0x1.886307b23d83fp-29, -0x1.e7eddd0aa3471p-29, -0x1.19ec84959e27dp-31,
+    0x1.5fb3042bf74a2p-32, 0x1.79f05d249bcbfp-35, -0x1.1ac9d07f09234p-38, -0x1.651655589abe3p-39,
+    -0x1.947bafe768a34p-42, -0x1.f171b59c3d08dp-47, 0x1.612900f7e2e2cp-50, 0x1.7369f4222e690p-51,
+    0x1.0f567e8435b39p-53, 0x1.da98a321b55c1p-57, 0x1.0d4f1cbd588b2p-59, 0x1.840696815cbd0p-62
+};
+GS_TABLE(gs_omega_start_c13) = {
+    -0x1.ebafc6db7cf3dp-29, -0x1.61d30e615fbb5p-30, 0x1.24b14d5ebd04ep-31, 0x1.40787e25470b4p-32,
+    -0x1.501596c8d9dfcp-36, -0x1.6520c974ccc30p-37, -0x1.820daedff4610p-42, 0x1.df45e2a43233ep-43,
+    0x1.68d037faaab30p-45, 0x1.28f677c86e083p-49, 0x1.689aacca958a1p-56, -0x1.e3e38ae74d9ecp-56,
+    -0x1.822f41c0bb034p-58, -0x1.2f7991a20d06cp-61, -0x1.2de76598f5067p-64, -0x1.7f805e9a2015dp-67
+};
+
+static inline gs_v gs_omega_start_near(gs_v x, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+1));
+    const gs_index i = gs_piece(u, 4096, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_omega_start_centre, i));
+    const gs_v q13 = gs_pick(gs_omega_start_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_omega_start_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_omega_start_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_omega_start_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_omega_start_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_omega_start_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_omega_start_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_omega_start_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_omega_start_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_omega_start_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_omega_start_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_omega_start_c2, i));
+    const gs_v c1 = gs_pick(gs_omega_start_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_omega_start_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v c0 = gs_pick(gs_omega_start_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_omega_start_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_omega_start_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+1));
+    const gs_index i = gs_piece(u, 4096, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_omega_start_centre, i));
+    const gs_v q13 = gs_pick(gs_omega_start_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_omega_start_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_omega_start_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_omega_start_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_omega_start_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_omega_start_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_omega_start_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_omega_start_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_omega_start_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_omega_start_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_omega_start_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_omega_start_c2, i));
+    const gs_v c1 = gs_pick(gs_omega_start_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_omega_start_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_omega_start_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_omega_start_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
 /* x in [0.0, 26.25) */
 static inline gs_v gs_phi1m_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
@@ -1690,6 +2647,296 @@ static inline gs_v gs_exp_exponent_pair(gs_v x, gs_v x_lo, gs_v *lo)
         r = gs_exp_exponent_range1_pair(m, m_lo, lo);
     else
         r = gs_exp_exponent_range0_pair(m, m_lo, lo);
+    return r;
+}
+
+/* x in [0.0, 7.5) */
+static inline gs_v gs_range_loss_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v g_lo;
+    const gs_v g = gs_grown_loss_near_pair(x, x_lo, &g_lo);
+    const gs_v more_s = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_v more_rest = gs_sum_rest(x, gs_v_of(0x1.0000000000000p+0), more_s);
+    const gs_v more_off = gs_add(more_rest, x_lo);
+    const gs_v more = gs_add(more_s, more_off);
+    const gs_v more_lo = gs_rest(more_s, more_off, more);
+    const gs_v square_h = gs_mul(more, more);
+    const gs_v square_e0 = gs_product_rest(more, more, square_h);
+    const gs_v square_e1 = gs_fma(more, more_lo, square_e0);
+    const gs_v square_e2 = gs_fma(more, more_lo, square_e1);
+    const gs_v square = gs_add(square_h, square_e2);
+    const gs_v square_lo = gs_rest(square_h, square_e2, square);
+    const gs_v f_q = gs_div(g, square);
+    const gs_v f_e0 = gs_product_rest(f_q, square, g);
+    const gs_v f_e1 = gs_sub(g_lo, f_e0);
+    const gs_v f_e2 = gs_fnma(f_q, square_lo, f_e1);
+    const gs_v f_off = gs_div(f_e2, square);
+    const gs_v f = gs_add(f_q, f_off);
+    const gs_v f_lo = gs_rest(f_q, f_off, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [7.5, 127.5) */
+static inline gs_v gs_range_loss_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v g_lo;
+    const gs_v g = gs_grown_loss_tail_near_pair(x, x_lo, &g_lo);
+    const gs_v more_s = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_v more_rest = gs_sum_rest(x, gs_v_of(0x1.0000000000000p+0), more_s);
+    const gs_v more_off = gs_add(more_rest, x_lo);
+    const gs_v more = gs_add(more_s, more_off);
+    const gs_v more_lo = gs_rest(more_s, more_off, more);
+    const gs_v square_h = gs_mul(more, more);
+    const gs_v square_e0 = gs_product_rest(more, more, square_h);
+    const gs_v square_e1 = gs_fma(more, more_lo, square_e0);
+    const gs_v square_e2 = gs_fma(more, more_lo, square_e1);
+    const gs_v square = gs_add(square_h, square_e2);
+    const gs_v square_lo = gs_rest(square_h, square_e2, square);
+    const gs_v f_q = gs_div(g, square);
+    const gs_v f_e0 = gs_product_rest(f_q, square, g);
+    const gs_v f_e1 = gs_sub(g_lo, f_e0);
+    const gs_v f_e2 = gs_fnma(f_q, square_lo, f_e1);
+    const gs_v f_off = gs_div(f_e2, square);
+    const gs_v f = gs_add(f_q, f_off);
+    const gs_v f_lo = gs_rest(f_q, f_off, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [127.5, inf] */
+static inline gs_v gs_range_loss_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v half = gs_mul(y, gs_v_of(0x1.0000000000000p-1));
+    const gs_v half_lo = gs_mul(y_lo, gs_v_of(0x1.0000000000000p-1));
+    const gs_v f_h = gs_mul(half, y);
+    const gs_v f_e0 = gs_product_rest(half, y, f_h);
+    const gs_v f_e1 = gs_fma(half, y_lo, f_e0);
+    const gs_v f_e2 = gs_fma(y, half_lo, f_e1);
+    const gs_v f = gs_add(f_h, f_e2);
+    const gs_v f_lo = gs_rest(f_h, f_e2, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* the slope of range_factor, negative, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+static inline gs_v gs_range_loss_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_v m_lo = x_lo;
+    gs_v r;
+    if (isnan(x) || gs_before(x, x_lo, gs_v_of(0x0.0p+0), gs_v_of(0x0.0p+0)) || gs_before(gs_v_of(INFINITY), gs_v_of(0x0.0p+0), x, x_lo)) {
+        *lo = gs_v_of(0.0);
+        return gs_refuse_beyond(x, gs_v_of(INFINITY), gs_v_of(-INFINITY), x, lo);
+    }
+    if (gs_at_least(m, gs_v_of(0x1.fe00000000000p+6)))
+        r = gs_range_loss_range2_pair(m, m_lo, lo);
+    else if (gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6)))
+        r = gs_range_loss_range1_pair(m, m_lo, lo);
+    else
+        r = gs_range_loss_range0_pair(m, m_lo, lo);
+    return r;
+}
+
+/* x in [0.0, 7.5) */
+static inline gs_v gs_grown_balance_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_grown_balance_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [7.5, 127.5) */
+static inline gs_v gs_grown_balance_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_grown_balance_tail_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [127.5, inf] */
+static inline gs_v gs_grown_balance_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v e = gs_v_of(0x1.78b56362cef38p-2);
+    const gs_v e_lo = gs_v_of(-0x1.ca8a4270fadf5p-57);
+    const gs_v f_h = gs_mul(x, e);
+    const gs_v f_e0 = gs_product_rest(x, e, f_h);
+    const gs_v f_e1 = gs_fma(x, e_lo, f_e0);
+    const gs_v f_e2 = gs_fma(e, x_lo, f_e1);
+    const gs_v f = gs_add(f_h, f_e2);
+    const gs_v f_lo = gs_rest(f_h, f_e2, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_grown_balance_range3_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    (void)x_lo;
+    const gs_v r = x;
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+static inline gs_v gs_grown_balance_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_v m_lo = x_lo;
+    gs_v r;
+    if (isnan(x) || gs_before(x, x_lo, gs_v_of(0x0.0p+0), gs_v_of(0x0.0p+0)) || gs_before(gs_v_of(INFINITY), gs_v_of(0x0.0p+0), x, x_lo)) {
+        *lo = gs_v_of(0.0);
+        return gs_refuse_beyond(x, gs_v_of(INFINITY), gs_v_of(-INFINITY), x, lo);
+    }
+    if (gs_at_least(m, gs_v_of(INFINITY)))
+        r = gs_grown_balance_range3_pair(m, m_lo, lo);
+    else if (gs_at_least(m, gs_v_of(0x1.fe00000000000p+6)))
+        r = gs_grown_balance_range2_pair(m, m_lo, lo);
+    else if (gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6)))
+        r = gs_grown_balance_range1_pair(m, m_lo, lo);
+    else
+        r = gs_grown_balance_range0_pair(m, m_lo, lo);
+    return r;
+}
+
+/* x in [0.28125, 1.2676506002282294e+30) */
+static inline gs_v gs_acot_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    gs_v f_lo;
+    const gs_v f = gs_arctangent_near_pair(y, y_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [0.0, 0.28125) */
+static inline gs_v gs_acot_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask felt = gs_at_least(x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v y = gs_select(felt, x, gs_v_of(0x0.0p+0));
+    const gs_v y_lo = gs_select(felt, x_lo, gs_v_of(0x0.0p+0));
+    gs_v f_lo;
+    const gs_v f = gs_arctangent_near_pair(y, y_lo, &f_lo);
+    const gs_v minus = gs_mul(f, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v minus_lo = gs_mul(f_lo, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v right = gs_v_of(0x1.921fb54442d18p+0);
+    const gs_v right_lo = gs_v_of(0x1.1a62633145c07p-54);
+    const gs_v a_s = gs_add(right, minus);
+    const gs_v a_rest = gs_sum_rest(right, minus, a_s);
+    const gs_v a_los = gs_add(right_lo, minus_lo);
+    const gs_v a_off = gs_add(a_rest, a_los);
+    const gs_v a = gs_add(a_s, a_off);
+    const gs_v a_lo = gs_rest(a_s, a_off, a);
+    const gs_v r = a;
+    *lo = a_lo;
+    return r;
+}
+
+/* x in [1.2676506002282294e+30, inf] */
+static inline gs_v gs_acot_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v r = y;
+    *lo = y_lo;
+    return r;
+}
+
+/* the angle in [0, pi/2] whose cotangent is x, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+static inline gs_v gs_acot_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_v m_lo = x_lo;
+    gs_v r;
+    if (isnan(x) || gs_before(x, x_lo, gs_v_of(0x0.0p+0), gs_v_of(0x0.0p+0)) || gs_before(gs_v_of(INFINITY), gs_v_of(0x0.0p+0), x, x_lo)) {
+        *lo = gs_v_of(0.0);
+        return gs_refuse_beyond(x, gs_v_of(INFINITY), gs_v_of(-INFINITY), x, lo);
+    }
+    if (gs_at_least(m, gs_v_of(0x1.0000000000000p+100)))
+        r = gs_acot_range2_pair(m, m_lo, lo);
+    else if (gs_less(m, gs_v_of(0x1.2000000000000p-2)))
+        r = gs_acot_range1_pair(m, m_lo, lo);
+    else
+        r = gs_acot_range0_pair(m, m_lo, lo);
+    return r;
+}
+
+/* x in [0.0, 30.0) */
+static inline gs_v gs_wright_omega_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_omega_start_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [30.0, 768.0) */
+static inline gs_v gs_wright_omega_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_omega_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [768.0, 131072.0) */
+static inline gs_v gs_wright_omega_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_omega_tail_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* w with w + log(w) = y, y below 2^17, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+static inline gs_v gs_wright_omega_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v m = x;
+    const gs_v m_lo = x_lo;
+    gs_v r;
+    if (isnan(x) || gs_before(x, x_lo, gs_v_of(0x0.0p+0), gs_v_of(0x0.0p+0)) || gs_before(gs_v_of(0x1.fffffffffffffp+16), gs_v_of(0x0.0p+0), x, x_lo)) {
+        *lo = gs_v_of(0.0);
+        return gs_refuse_beyond(x, gs_v_of(INFINITY), gs_v_of(-INFINITY), x, lo);
+    }
+    if (gs_within(m, gs_v_of(0x1.8000000000000p+9), gs_v_of(0x1.0000000000000p+17)))
+        r = gs_wright_omega_range2_pair(m, m_lo, lo);
+    else if (gs_within(m, gs_v_of(0x1.e000000000000p+4), gs_v_of(0x1.8000000000000p+9)))
+        r = gs_wright_omega_range1_pair(m, m_lo, lo);
+    else
+        r = gs_wright_omega_range0_pair(m, m_lo, lo);
     return r;
 }
 

@@ -3,7 +3,7 @@
 import numpy as np
 from mpmath import mp, mpf
 
-from galileo_sym.primitives.kernels import KERNELS
+from galileo_sym.codegen.pairs import PAIRS
 
 
 # Closed forms by Lambert W, as far from the code under test as can be; the precision doubles until two agree.
@@ -24,6 +24,12 @@ def _offset(branch):
     return lambda x: 1 + mp.lambertw(-mp.exp(-1 - x), branch).real
 
 
+def _grown_balance(b):
+    y = 1 + b
+    beyond = 1 + mp.lambertw(-y * mp.exp(-y)).real  # T - b
+    return b * mp.exp(-beyond) / beyond
+
+
 CLOSED = {
     "phi1m": lambda z: -mp.expm1(-z) / z,
     "phi2m": lambda z: (z + mp.expm1(-z)) / z**2,
@@ -41,6 +47,10 @@ CLOSED = {
     "sin": mp.sin,
     "cos": mp.cos,
     "arctan": mp.atan,
+    "acot": mp.acot,
+    "range_loss": lambda b: -mp.expm1(-_flight(b)) / (2 * b) * (1 - mp.exp(-b) * _grown_balance(b)) / b,
+    "grown_balance": _grown_balance,
+    "wright_omega": lambda y: mp.lambertw(mp.exp(y)).real,
 }
 ITSELF = "the argument, its sign included"
 LIMITS = {  # at +0 and -0, and at infinity
@@ -60,6 +70,10 @@ LIMITS = {  # at +0 and -0, and at infinity
     "sin": (ITSELF, np.nan),
     "cos": (1.0, np.nan),
     "arctan": (ITSELF, np.pi / 2),
+    "acot": (np.pi / 2, 0.0),
+    "range_loss": (4 / 3, 0.0),
+    "grown_balance": (1.0, np.inf),
+    "wright_omega": (0.5671432904097838, np.nan),
 }
 ODD_OR_EVEN = {"sin": -1.0, "cos": 1.0, "arctan": -1.0}
 
@@ -78,7 +92,7 @@ def reference(name, x, x_lo=0.0):
 
 def points(name, count, seed=1):
     """Arguments of all sizes in the domain, and on both sides of every end of a piece."""
-    kernel, rng = KERNELS[name], np.random.default_rng(seed)
+    kernel, rng = PAIRS[name], np.random.default_rng(seed)
     lower, upper = kernel.domain
     thresholds = np.array([v for v in kernel.thresholds if np.isfinite(v)])
     spread = 10.0 ** rng.uniform(-12, min(4, np.log10(max(abs(thresholds))) + 1), count)

@@ -21,12 +21,19 @@ def _best_s(a):
     return 1 + lambertw((a * a - 1) / e).real
 
 
+def _balance(b):
+    T = _flight_time(b)
+    return b * exp(-T) / (T - b)
+
+
 CLOSED_FORMS = {
     "phi1m": lambda z: -expm1(-z) / z,
     "phi2m": lambda z: (z + expm1(-z)) / z**2,
     "descent_factor": lambda p: _tau(p) / p,
     "flight_factor": lambda b: _flight_time(b) / (2 * b),
     "range_factor": lambda b: -expm1(-_flight_time(b)) / (2 * b),
+    "grown_loss": lambda b: -((1 + b) ** 2) * expm1(-_flight_time(b)) / (2 * b) * (1 - _balance(b)) / b,
+    "grown_balance": lambda b: exp(b) * _balance(b),
     "best_sine": lambda a: a / expm1(_best_s(a)),
     "best_angle": lambda a: asin(a / expm1(_best_s(a))),
     "max_range_factor": lambda a: sqrt(1 - (1 + _best_s(a)) * exp(-_best_s(a))) / a,
@@ -40,6 +47,7 @@ CLOSED_FORMS = {
     "sine": sin,
     "arctangent": atan,
 }
+CLOSED_FORMS |= {f"{name}_tail": CLOSED_FORMS[name] for name in ("grown_loss", "grown_balance")}  # other equations
 
 
 def closed_form(name, x):

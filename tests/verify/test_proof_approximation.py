@@ -44,6 +44,7 @@ CONTINUED = {
     "flight_tail": "flight_factor",
     "range_tail": "range_factor",
     "fall_tail": "fall_factor",
+    "omega_start": "omega",
     "omega_tail": "omega",
     "arctangent_tail": "arctangent",
 }

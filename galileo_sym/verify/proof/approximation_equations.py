@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from flint import arb
 
 from galileo_sym.verify.proof.approximation_functions import (
+    bump,
+    bump_slope,
     cos,
     exp,
     log,
@@ -88,6 +90,44 @@ def _flight_factor(x, f):
 def _range_factor(x, f):
     """1 - exp(-T) = T/(1 + x): the flight factor over 1 + x."""
     return _flight_factor(x, (1 + x) * f)
+
+
+def _grown_loss(x, f):
+    """With the flight factor F = 1 - x G it is 2 (1 - x G)(1 - (1 + 2 x) G)/(1 - 2 x G): a quadratic equation for G.
+
+    G in 2 F phi2(-T) = phi1(-T), divided by x, as phi1(w) = 2 phi2(w) + w bump(w): that has one root T > 0, T = 2 x F.
+    """
+    half = 1 + 3 * x - x * f
+    root = sqrt(half * half - 2 * x * (1 + 2 * x) * (2 - f))
+    G = (2 - f) / (half + root)
+    F = 1 - x * G
+    w = -2 * x * F
+    slope = -phi2(w) - x * bump(w) + 2 * x * x * (F * bump_slope(w) - G * bump(w))
+    return F * bump(w) - G * phi2(w), f * slope * (1 - 2 * x * G) / root * -0.5
+
+
+def _grown_balance(x, f):
+    """With F = 1 - lack the balance is (1 - x + 2 x lack)/((1 + x)(1 - 2 lack)); times x what the loss is put into."""
+    balance = (1 + x) * f * exp(-x)
+    lack = (balance - 1 + x) / (2 * (x + balance))
+    w = -2 * x * (1 - lack)
+    slope = -phi2(w) - x * bump(w) + 2 * x * (x * (1 - lack) * bump_slope(w) - lack * bump(w))
+    return x * (1 - lack) * bump(w) - lack * phi2(w), balance * slope / (2 * (x + balance) * (x + balance))
+
+
+def _grown_loss_tail(x, f):
+    """The same for large x, in D = T - x: (1 + 2 x) D^2 + 2 x^2 (1 - f) D = x^2, and D = 1 - (1 + x) exp(-x - D)."""
+    root = sqrt((1 - f) * (1 - f) + (1 + 2 * x) / (x * x))
+    D = 1 / (1 - f + root)
+    decay = (1 + x) * exp(-x - D)
+    return D - 1 + decay, f * (1 - decay) * D / root
+
+
+def _grown_balance_tail(x, f):
+    """The same for large x, in D = T - x = x/(x + balance), for f = x exp(-D)/D; the slope is D^2."""
+    total = x + (1 + x) * f * exp(-x)
+    D = x / total
+    return log(f) + D - log(total), D * D
 
 
 def _best_sine(x, f):
@@ -172,6 +212,10 @@ EQUATIONS = {
     "descent_factor": Equation(_descent_factor, least=1),  # x^2/2 = tau - 1 + exp(-tau) <= tau^2/2
     "flight_factor": Equation(_flight_factor),
     "range_factor": Equation(_range_factor),
+    "grown_loss": Equation(_grown_loss),
+    "grown_loss_tail": Equation(_grown_loss_tail),
+    "grown_balance": Equation(_grown_balance),
+    "grown_balance_tail": Equation(_grown_balance_tail),
     "best_sine": Equation(_best_sine),
     "best_angle": Equation(_best_angle, below=1.5),
     "max_range_factor": Equation(_max_range_factor),

@@ -157,3 +157,7 @@ phi1_slope = Mean(lambda w: (1 + (w - 1) * exp(w)) / w / w, 0.5, exp)  # weight 
 log_mean = Mean(lambda y: log(1 + y) / y, 1.0, _reciprocal)  # weight 1
 log_lag = Mean(lambda y: ((1 + y) * log(1 + y) - y) / y / y, 0.5, _reciprocal)  # weight 1 - t
 sinc = Mean(lambda w: sin(w) / w, 1.0, cos)  # weight 1
+bump = Mean(lambda w: ((w - 2) * exp(w) + w + 2) / w / w / w, arb(1) / 6, exp)  # weight t (1 - t); the slope of phi2
+bump_slope = Mean(  # weight t^2 (1 - t)
+    lambda w: (((w - 4) * w + 6) * exp(w) - 2 * w - 6) / w / w / w / w, arb(1) / 12, exp
+)
