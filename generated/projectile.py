@@ -8,6 +8,7 @@ from ._kernel import admit, at_most, clash, idle, if_zero, quiet, settle, within
 from ._launch import Balance, launch
 from ._primitives import best_elevation, flight_factor, max_range_factor, phi0m, phi1m, phi2m, range_balance, range_factor, range_loss
 from ._scaled import add, constant, div, load, mul, scale, sqrt, sub
+from . import special
 
 
 def flight_time_free(theta, v, g):
@@ -608,16 +609,9 @@ def best_angle(alpha):
     angle [rad]: elevation of greatest range
 
     From stable.projectile.best_angle, the stable form of projectile.thm3.
-    Operations: 1 table.
+    Operations: those of the primitive best_angle.
     """
-    arguments, void = admit(
-        (alpha, "nonnegative"),
-    )
-    alpha, = arguments
-    with quiet():
-        alpha = load(alpha)
-        angle = best_elevation(alpha)
-    return settle(angle, void)
+    return special.best_angle(alpha)[0]
 
 
 # Number of outputs, index of the angle among the arguments, the kernel for each set of force arguments;
@@ -694,11 +688,5 @@ FUNCTIONS = {
             ('k',): launch_angles_drag,
         },
     },
-    "best_angle": {
-        "outputs": 1,
-        "angle": None,
-        "kernels": {
-            (): best_angle,
-        },
-    },
+    "best_angle": special.FUNCTIONS["best_angle"],
 }

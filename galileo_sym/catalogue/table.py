@@ -196,6 +196,7 @@ _TABLE = (
         (),
         {"": ((), ("projectile.thm3",))},
         (Output("angle", "rad", "elevation of greatest range"),),
+        primitive="best_angle",
     ),
     Function(
         "lambert",

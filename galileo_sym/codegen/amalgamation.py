@@ -11,9 +11,10 @@ _DEFINITION = re.compile(  # with the comment before it; in a line, or in many
     r"(?:^/\*(?:(?!\*/).)*\*/\n)?^static inline [\w ]+?\*?(gs_\w+)\((?:[^\n]*\}\n|.*?^\}\n)\n?",
     re.MULTILINE | re.DOTALL,
 )
+_TABLE = re.compile(r"^GS_TABLE\((gs_\w+)\) = \{\n.*?^\};\n", re.MULTILINE | re.DOTALL)
 _NAME = re.compile(r"\bgs_\w+")
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-_FIRST = "special.c"  # it sets what the vector header asks for
+_FIRST = ("special.c", "lanes.c")  # they set what the vector header asks for
 _HEAD = """/* All of the library in one file of C99, without extensions of a compiler and without a choice of versions:
  *
  *     cc -std=c99 -O2 -c galileo.c
@@ -56,12 +57,13 @@ def _portable(text):
 
 
 def _without(text, kept):
-    """Text without the inline functions whose names are not kept; macros paste together those that end in _value."""
+    """Text without the inline functions and tables whose names are not kept; macros paste those that end in _value."""
+    text = _TABLE.sub(lambda m: m.group() if m.group(1) in kept else "", text)
     return _DEFINITION.sub(lambda m: m.group() if m.group(1) in kept or m.group(1).endswith("_value") else "", text)
 
 
 def _used(text):
-    """Text without the inline functions that nothing calls."""
+    """Text without the inline functions and tables that nothing names."""
     calls = Counter(_NAME.findall(_COMMENT.sub("", text)))
     shorter = _without(text, {name for name, count in calls.items() if count > 1})
     return text if shorter == text else _used(shorter)
@@ -92,9 +94,9 @@ def amalgamated(files):
         All emitted files by path; those of C are in ``c/``.
     """
     names = sorted(path.removeprefix("c/") for path in files if path.startswith("c/") and path.endswith(".c"))
-    plain = [name for name in names if "_" not in name and name != _FIRST]
+    plain = [name for name in names if "_" not in name and name not in _FIRST]
     seen = set()
-    first = _source(_FIRST, files, seen)
+    first = "".join(_source(name, files, seen) for name in _FIRST)
     rest = "".join(_source(name, files, seen) for name in plain)
     both = sorted(set(_FUNCTION.findall(first)) & set(_FUNCTION.findall(rest)))
     renamed = "".join(f"#define {name} {name}_of_lanes\n" for name in both)

@@ -13,7 +13,7 @@ import sympy
 
 import galileo_sym
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen import amalgamation, c99, frames, kernels, numpy, numpy_kernels, pairs, tables
+from galileo_sym.codegen import amalgamation, c99, frames, kernels, lanes, numpy, numpy_kernels, pairs, tables
 
 PINNED = {"sympy": "1.14.0", "mpmath": "1.3.0"}
 KEPT = ("certificates",)  # reviewed and committed by other means, never written here
@@ -103,10 +103,17 @@ def _sources():
     files["c/galileo_kernels.h"] = _c("the coefficients of galileo_sym.primitives", kernels.kernels_header())
     files["c/galileo_frames.h"] = _c("the frames of galileo_sym.primitives", frames.frames_header())
     files["c/galileo_pairs.h"] = _c("the frames of galileo_sym.primitives", pairs.pairs_header())
-    target = _template("c/special_target.c")
-    for suffix in kernels.TARGETS:
-        text = kernels.target_source(target, suffix)
-        files[f"c/special_{suffix}.c"] = _c("templates/c/special_target.c", text)
+    arithmetic = _template("c/galileo_lanes.h").replace("@TURN@\n", lanes.turn_tables())
+    arithmetic = arithmetic.replace("@FACTORS@\n", lanes.factors())
+    files["c/galileo_lanes.h"] = _c("templates/c/galileo_lanes.h", arithmetic)
+    files["c/galileo_scaled.h"] = _c("the catalogue", lanes.scaled_header())
+    files["c/galileo_forms.h"] = _c("the stable forms of both papers", lanes.forms_header())
+    for name in ("special", "lanes"):
+        target = _template(f"c/{name}_target.c")
+        for suffix in kernels.TARGETS:
+            text = kernels.target_source(target, suffix)
+            files[f"c/{name}_{suffix}.c"] = _c(f"templates/c/{name}_target.c", text)
+    files["c/lanes.c"] = _c("the stable forms of both papers", lanes.public_source(_template("c/lanes.c")))
     files["c/special.c"] = _c("templates/c/special.c", kernels.public_source(_template("c/special.c")))
     for name in _C_TEMPLATES:
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))

@@ -118,6 +118,7 @@ TARGETS = {
 CONDITION = "defined(__x86_64__) && defined(__GNUC__) && !defined(GS_PORTABLE)"
 
 
+_VANISHING = ("exp_minus",)  # 0 is what a number too small for binary64 is rounded to
 _LOOK_FOR = {None: "GS_NO_POLE", 0.0: "GS_POLE_AT_0"}
 
 
@@ -136,16 +137,15 @@ def target_source(template, suffix):
 
 def public_source(template):
     """Return the source of the public functions, which choose a version."""
-    public = "".join(f"GS_PUBLIC({name}, {_LOOK_FOR[kernel.pole]})\n" for name, kernel in KERNELS.items())
+    public = "".join(
+        f"GS_PUBLIC({name}, {_LOOK_FOR[kernel.pole]}, {int(name in _VANISHING)})\n" for name, kernel in KERNELS.items()
+    )
     return template.replace("@CONDITION@", CONDITION).replace("@PUBLIC@\n", public)
 
 
 def prototypes():
     """Return the declarations of the public functions, with what each computes."""
-    out = [
-        "/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID.\n"
-        " * These may raise FE_UNDERFLOW where the result does not. */\n"
-    ]
+    out = ["/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID. */\n"]
     for name, kernel in KERNELS.items():
         out.append(
             f"\n/* {kernel.doc}, x in [{kernel.domain[0]!r}, {kernel.domain[1]!r}] */\n"

@@ -1,4 +1,4 @@
-"""The primitives of an argument that is a pair, in C: for single numbers, so only the form that serves is computed.
+"""The primitives of an argument that is a pair, in C: of vectors, and of single numbers with a look at the domain.
 
 One list of lines serves both: those for x are what `lines.alone` leaves of those for x + x_lo.
 """
@@ -11,7 +11,8 @@ from galileo_sym.primitives.kernels import KERNELS
 from galileo_sym.primitives.lines import used
 
 _HEAD = """\
-/* The primitives of a pair, gs_NAME_pair(x, x_lo, &lo), for the forms that compute with hi + lo.
+/* The primitives of a pair, for the forms that compute with hi + lo: gs_NAME_lanes(x, x_lo, &lo) for vectors inside the
+ * domain, gs_NAME_pair(x, x_lo, &lo) for single numbers, NaN beyond it.
  *
  * The result r + lo is the value at x + x_lo, |x_lo| <= ulp(x)/2 (0 where x is infinite), to 2^-57 of it; r is the
  * nearest double but for a little (0.55 ulp), |lo| <= ulp(r)/2. But: where |r| < 2^-922, and for exp_minus from 640 on,
@@ -24,18 +25,21 @@ _HEAD = """\
 
 #include "galileo_frames.h"
 
-#if GS_LANES != 1
-#error "pairs are for one lane"
-#endif
-
+#if GS_LANES == 1
 /* x + x_lo below y + y_lo */
 static inline gs_mask gs_before(gs_v x, gs_v x_lo, gs_v y, gs_v y_lo)
 {
     return isless(x, y) || (x == y && isless(x_lo, y_lo));
 }
+#endif
 
 """
 
+# those that the papers' formulas call; of their arguments none is negative
+IN_LANES = (
+    *("phi1m", "phi2m", "descent_factor", "flight_factor", "range_factor"),
+    *("range_loss", "grown_balance", "max_range_factor", "acot"),
+)
 PAIRS = KERNELS | {frame.name: frame for frame in FRAMES}
 _PARITIES = {"": ("x", "x_lo"), "even": ("gs_abs(x)", "gs_flip(x_lo, x)"), "odd": ("gs_abs(x)", "gs_flip(x_lo, x)")}
 
@@ -63,7 +67,8 @@ def _choice(kernel):
     argument, rest = _PARITIES[kernel.parity]
     out = [
         f"/* {kernel.doc}, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and"
-        f" the rest. */\nstatic inline gs_v gs_{kernel.name}_pair(gs_v x, gs_v x_lo, gs_v *lo)\n{{\n",
+        " the rest. */\n#if GS_LANES == 1\n"
+        f"static inline gs_v gs_{kernel.name}_pair(gs_v x, gs_v x_lo, gs_v *lo)\n{{\n",
         f"    const gs_v m = {argument};\n    const gs_v m_lo = {rest};\n    gs_v r;\n",
         f"    if (isnan(x) || gs_before(x, x_lo, {lower}, {lower_lo}) || gs_before({upper}, {upper_lo}, x, x_lo)) {{\n",
         "        *lo = gs_v_of(0.0);\n"
@@ -79,11 +84,47 @@ def _choice(kernel):
     out.append(f"    else\n        {typical}" if otherwise else f"    {typical}")
     if kernel.parity == "odd":
         out.append("    *lo = gs_flip(*lo, x);\n    r = gs_flip(r, x);\n")
-    return "".join([*out, "    return r;\n}\n\n"])
+    return "".join([*out, "    return r;\n}\n#endif\n\n"])
+
+
+def _served(served, kernel):
+    """Which lanes a range serves; the first one also what comes before it."""
+    begin, end = c_number(served.begin), c_number(served.end)
+    if isinf(served.end):
+        return f"gs_at_least(x, {begin})"
+    return f"gs_less(x, {end})" if served.begin == kernel.domain[0] else f"gs_within(x, {begin}, {end})"
+
+
+def _lanes(kernel):
+    """All lanes by the typical range, if it serves them; else each by its own."""
+    call = "gs_{}_range{}_pair(gs_select(here, x, {}), gs_select(here, x_lo, gs_v_of(0.0)), {})".format
+    typical, *others = kernel.ranges
+    rare = [
+        f"static GS_RARE gs_v gs_{kernel.name}_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)\n{{\n    gs_mask here;\n"
+    ]
+    rare.append("    gs_v other, rest;\n")
+    for index, served in enumerate(others, 1):
+        rare += [
+            f"    here = {_served(served, kernel)};\n",
+            f"    other = {call(kernel.name, index, c_number(served.harmless), '&rest')};\n",
+            "    r = gs_select(here, other, r);\n    *lo = gs_select(here, rest, *lo);\n",
+        ]
+    return "".join(
+        [
+            *rare,
+            "    return r;\n}\n\n",
+            f"/* {kernel.doc}, of vectors inside the domain. */\n",
+            f"static inline gs_v gs_{kernel.name}_lanes(gs_v x, gs_v x_lo, gs_v *lo)\n{{\n",
+            f"    const gs_mask here = {_served(typical, kernel)};\n",
+            f"    const gs_v r = {call(kernel.name, 0, c_number(typical.harmless), 'lo')};\n",
+            f"    return gs_all(here) ? r : gs_{kernel.name}_rarely(x, x_lo, r, lo);\n}}\n\n",
+        ]
+    )
 
 
 def pairs_header():
     """Return the C header of all primitives of a pair."""
     known = {bank for kernel in KERNELS.values() for bank in kernel.banks}
     fresh = dict.fromkeys(bank for frame in FRAMES for bank in frame.banks if bank not in known)
-    return "".join([_HEAD, *map(bank_text, fresh), *(_functions(k) + _choice(k) for k in PAIRS.values()), "#endif\n"])
+    own = "".join(_functions(k) + _choice(k) + (_lanes(k) if k.name in IN_LANES else "") for k in PAIRS.values())
+    return "".join([_HEAD, *map(bank_text, fresh), own, "#endif\n"])

@@ -120,6 +120,10 @@ TABLES = {
 ANGLE_STEPS = 64
 ANGLE_COUNT = 51
 
+# The same for vectors, which pick out of 16: multiples of a step of few bits up to pi/4 and half a step more.
+TURN_STEP = 13 / 256
+TURN_COUNT = 16
+
 
 def split(value, parts):
     """Return a real number as an unevaluated sum of doubles, each the rest rounded."""
@@ -170,6 +174,14 @@ def angle_rows():
         return tuple(
             (split(mp.sin(mpf(i) / ANGLE_STEPS), 3), split(mp.cos(mpf(i) / ANGLE_STEPS), 3)) for i in range(ANGLE_COUNT)
         )
+
+
+@cache
+def turn_rows():
+    """Return ((sin, its rest, cos, its rest), ...) at the multiples of `TURN_STEP`."""
+    with mp.workdps(70):
+        angles = [mpf(i * TURN_STEP) for i in range(TURN_COUNT)]
+        return tuple((*split(mp.sin(angle), 2), *split(mp.cos(angle), 2)) for angle in angles)
 
 
 @cache

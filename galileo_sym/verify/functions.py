@@ -48,7 +48,7 @@ class Function:
     bound: float = CLAIMED_BOUND
     unit: dict = field(default_factory=dict)
     ranges: dict = field(default_factory=dict)
-    fused: bool = False
+    fused: bool = True
 
     @property
     def full_name(self):
@@ -122,10 +122,11 @@ _TABLE = (
             ("low", "high"),
             "ulp of the exact result, or 2^-40 of what an ulp of the range does to it where that is more",
         ),
+        fused=False,
     ),
     Function("projectile", "best_angle", ("alpha",), (), ONE_LAW, ("angle",)),
     *(
-        Function("lambert", name, ("x",), (), ONE_LAW, ("w",), ranges={"x": (_ABOVE_BRANCH_POINT, most)}, fused=True)
+        Function("lambert", name, ("x",), (), ONE_LAW, ("w",), ranges={"x": (_ABOVE_BRANCH_POINT, most)})
         for name, most in (("w0", math.inf), ("wm1", -math.ulp(0.0)))
     ),
     Function(
@@ -136,6 +137,7 @@ _TABLE = (
         ONE_LAW,
         ("t0", "tm1"),
         ranges=dict.fromkeys("abcd", _ANY),
+        fused=False,
     ),
 )
 

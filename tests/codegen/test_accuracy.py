@@ -1,4 +1,4 @@
-"""Both back ends against the printed equations, and against each other to the bit."""
+"""Both back ends against the printed equations, and against each other."""
 
 import math
 
@@ -9,6 +9,7 @@ import pytest
 from samples import arguments
 
 from galileo_sym.catalogue import FUNCTIONS
+from galileo_sym.codegen.lanes import in_lanes, name_of
 from galileo_sym.generated import chord, lambert, projectile
 
 MODULES = {"chord": chord, "lambert": lambert, "projectile": projectile}
@@ -33,6 +34,11 @@ REFERENCES = {
     "projectile.launch_angles": printed_forms.launch_angles,
 }
 KERNELS = [(name, force_set) for name, function in FUNCTIONS.items() for force_set in function.variants]
+CANCELLING = {  # sums, of which a rounding more in one of the terms may leave nothing
+    "projectile.position": ("y",),
+    "projectile.velocity": ("vy",),
+    "projectile.range_slope_theta": ("slope",),
+}
 BOUND = 1.0  # ulp: what the docstrings say
 
 
@@ -46,6 +52,10 @@ def _evaluate(function, force_set, values, invalid="raise"):
     return results if isinstance(results, tuple) else (results,)
 
 
+def _evaluate_c(function, force_set, values):
+    return compiled.call(f"{name_of(function, force_set)}_n", values, len(function.outputs))
+
+
 def _name(value):
     return value if isinstance(value, str) else str(value)
 
@@ -55,15 +65,14 @@ def _name(value):
 def test_error_against_the_printed_equations(name, force_set, width):
     function = FUNCTIONS[name]
     drawn = arguments(function, force_set, 40, width, seed=width)
-    results = _evaluate(function, force_set, drawn.values())
+    both = [_evaluate(function, force_set, drawn.values())]
+    both += [_evaluate_c(function, force_set, drawn.values())] if compiled.compilers() else []
     for i in range(40):
         point = {key: float(value[i]) for key, value in drawn.items()}
         exact = REFERENCES[name](**point)
         exact = exact if isinstance(exact, tuple) else (exact,)
-        for j, result in enumerate(results):
-            own = (
-                len(exact) > len(results) and j == len(results) - 1
-            )  # the last output cancels: the last number is its unit
+        for j, result in ((j, result) for results in both for j, result in enumerate(results)):
+            own = len(exact) > len(both[0]) and j == len(both[0]) - 1  # the last output cancels: its unit comes last
             scale = exact[-1] if own else None
             error = printed_forms.ulps(float(result[i]), exact[j], scale)
             assert error <= BOUND, f"{name} {force_set} {function.outputs[j].name}: {error} ulp at {point}"
@@ -71,14 +80,16 @@ def test_error_against_the_printed_equations(name, force_set, width):
 
 @pytest.mark.parametrize("width", [1, 60, 140])
 @pytest.mark.parametrize(("name", "force_set"), KERNELS, ids=_name)
-def test_c_gives_the_same_bits(name, force_set, width):
+def test_c_and_numpy_differ_in_the_last_place_at_most(name, force_set, width):
+    """And not at all where C has no other form: fused multiply-adds are what makes the difference."""
     function = FUNCTIONS[name]
     values = list(arguments(function, force_set, 3000, width, seed=100 + width).values())
     results = _evaluate(function, force_set, values, invalid="ignore")  # a range may lie above the largest by rounding
-    suffix = f"_{force_set}" if force_set else ""
-    native = compiled.call(f"gs_{function.paper}_{function.name}{suffix}_n", values, len(results))
-    for result, other in zip(results, native, strict=True):
-        assert np.array_equal(result.view(np.int64), other.view(np.int64))
+    for output, result, other in zip(function.outputs, results, _evaluate_c(function, force_set, values), strict=True):
+        if output.name in CANCELLING.get(name, ()):
+            continue
+        places = np.abs(result.view(np.int64) - other.view(np.int64))
+        assert places.max() <= (1 if in_lanes(function) or function.primitive else 0)
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)

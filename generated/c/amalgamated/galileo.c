@@ -19,6 +19,7 @@
 /* ---- special.c ---- */
 /* The primitives in plain C99, and the choice of the version for this machine at each call. */
 #include <fenv.h>
+#include <float.h>
 
 /* Motion on chords and of projectiles under gravity, friction and linear resistance: closed forms, arranged so that
  * they stay accurate over the whole range of the floating-point numbers; errors are measured, not proved.
@@ -62,22 +63,27 @@ double gs_chord_descent_time_free(double theta, double diameter, double g);
 void gs_chord_descent_time_free_n(size_t n, const double *theta, const double *diameter, const double *g, double *time);
 float gs_chord_descent_time_freef(float theta, float diameter, float g);
 void gs_chord_descent_time_free_nf(size_t n, const float *theta, const float *diameter, const float *g, float *time);
+void gs_chord_descent_time_free_nu(size_t n, const double *theta, double diameter, double g, double *time);
 double gs_chord_descent_time_friction(double theta, double diameter, double g, double mu);
 void gs_chord_descent_time_friction_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time);
 float gs_chord_descent_time_frictionf(float theta, float diameter, float g, float mu);
 void gs_chord_descent_time_friction_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time);
+void gs_chord_descent_time_friction_nu(size_t n, const double *theta, double diameter, double g, double mu, double *time);
 double gs_chord_descent_time_drag(double theta, double diameter, double g, double gamma);
 void gs_chord_descent_time_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time);
 float gs_chord_descent_time_dragf(float theta, float diameter, float g, float gamma);
 void gs_chord_descent_time_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time);
+void gs_chord_descent_time_drag_nu(size_t n, const double *theta, double diameter, double g, double gamma, double *time);
 double gs_chord_descent_time_friction_drag(double theta, double diameter, double g, double mu, double gamma);
 void gs_chord_descent_time_friction_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
 float gs_chord_descent_time_friction_dragf(float theta, float diameter, float g, float mu, float gamma);
 void gs_chord_descent_time_friction_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
+void gs_chord_descent_time_friction_drag_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
 double gs_chord_descent_time(double theta, double diameter, double g, double mu, double gamma);
 void gs_chord_descent_time_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
 float gs_chord_descent_timef(float theta, float diameter, float g, float mu, float gamma);
 void gs_chord_descent_time_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
+void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
 
 /* Distance a bead released from rest has gone along a chord.
  *
@@ -101,22 +107,27 @@ double gs_chord_distance_free(double t, double theta, double g);
 void gs_chord_distance_free_n(size_t n, const double *t, const double *theta, const double *g, double *distance);
 float gs_chord_distance_freef(float t, float theta, float g);
 void gs_chord_distance_free_nf(size_t n, const float *t, const float *theta, const float *g, float *distance);
+void gs_chord_distance_free_nu(size_t n, const double *t, const double *theta, double g, double *distance);
 double gs_chord_distance_friction(double t, double theta, double g, double mu);
 void gs_chord_distance_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance);
 float gs_chord_distance_frictionf(float t, float theta, float g, float mu);
 void gs_chord_distance_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance);
+void gs_chord_distance_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *distance);
 double gs_chord_distance_drag(double t, double theta, double g, double gamma);
 void gs_chord_distance_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance);
 float gs_chord_distance_dragf(float t, float theta, float g, float gamma);
 void gs_chord_distance_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance);
+void gs_chord_distance_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *distance);
 double gs_chord_distance_friction_drag(double t, double theta, double g, double mu, double gamma);
 void gs_chord_distance_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
 float gs_chord_distance_friction_dragf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_distance_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
+void gs_chord_distance_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
 double gs_chord_distance(double t, double theta, double g, double mu, double gamma);
 void gs_chord_distance_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
 float gs_chord_distancef(float t, float theta, float g, float mu, float gamma);
 void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
+void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
 
 /* Speed along a chord of a bead released from rest.
  *
@@ -140,22 +151,27 @@ double gs_chord_speed_free(double t, double theta, double g);
 void gs_chord_speed_free_n(size_t n, const double *t, const double *theta, const double *g, double *speed);
 float gs_chord_speed_freef(float t, float theta, float g);
 void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const float *g, float *speed);
+void gs_chord_speed_free_nu(size_t n, const double *t, const double *theta, double g, double *speed);
 double gs_chord_speed_friction(double t, double theta, double g, double mu);
 void gs_chord_speed_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed);
 float gs_chord_speed_frictionf(float t, float theta, float g, float mu);
 void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed);
+void gs_chord_speed_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *speed);
 double gs_chord_speed_drag(double t, double theta, double g, double gamma);
 void gs_chord_speed_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed);
 float gs_chord_speed_dragf(float t, float theta, float g, float gamma);
 void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed);
+void gs_chord_speed_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *speed);
 double gs_chord_speed_friction_drag(double t, double theta, double g, double mu, double gamma);
 void gs_chord_speed_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
 float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
+void gs_chord_speed_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
 double gs_chord_speed(double t, double theta, double g, double mu, double gamma);
 void gs_chord_speed_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
 float gs_chord_speedf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
+void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
 
 /* Position of a bead released from rest at the top, x to the right and y down.
  *
@@ -180,22 +196,27 @@ void gs_chord_position_free(double t, double theta, double g, double *x, double 
 void gs_chord_position_free_n(size_t n, const double *t, const double *theta, const double *g, double *x, double *y);
 void gs_chord_position_freef(float t, float theta, float g, float *x, float *y);
 void gs_chord_position_free_nf(size_t n, const float *t, const float *theta, const float *g, float *x, float *y);
+void gs_chord_position_free_nu(size_t n, const double *t, const double *theta, double g, double *x, double *y);
 void gs_chord_position_friction(double t, double theta, double g, double mu, double *x, double *y);
 void gs_chord_position_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y);
 void gs_chord_position_frictionf(float t, float theta, float g, float mu, float *x, float *y);
 void gs_chord_position_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y);
+void gs_chord_position_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y);
 void gs_chord_position_drag(double t, double theta, double g, double gamma, double *x, double *y);
 void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y);
 void gs_chord_position_dragf(float t, float theta, float g, float gamma, float *x, float *y);
 void gs_chord_position_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y);
+void gs_chord_position_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y);
 void gs_chord_position_friction_drag(double t, double theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
 void gs_chord_position_friction_dragf(float t, float theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_position_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
+void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position(double t, double theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
 void gs_chord_positionf(float t, float theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_position_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
+void gs_chord_position_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
 
 /* Circle on which beads released together are found: centre (-X, Y) for theta > 0, (X, Y) for theta < 0.
  *
@@ -219,22 +240,27 @@ void gs_chord_synchronous_circle_free(double t, double g, double *X, double *Y, 
 void gs_chord_synchronous_circle_free_n(size_t n, const double *t, const double *g, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_freef(float t, float g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_free_nf(size_t n, const float *t, const float *g, float *X, float *Y, float *R);
+void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction(double t, double g, double mu, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_frictionf(float t, float g, float mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_nf(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R);
+void gs_chord_synchronous_circle_friction_nu(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_drag(double t, double g, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_drag_n(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_dragf(float t, float g, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_nf(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R);
+void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_drag(double t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_dragf(float t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
+void gs_chord_synchronous_circle_friction_drag_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circlef(float t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
+void gs_chord_synchronous_circle_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
 
 /* Angle from the vertical from which on friction holds a bead at rest.
  *
@@ -269,14 +295,17 @@ double gs_projectile_flight_time_free(double theta, double v, double g);
 void gs_projectile_flight_time_free_n(size_t n, const double *theta, const double *v, const double *g, double *time);
 float gs_projectile_flight_time_freef(float theta, float v, float g);
 void gs_projectile_flight_time_free_nf(size_t n, const float *theta, const float *v, const float *g, float *time);
+void gs_projectile_flight_time_free_nu(size_t n, const double *theta, double v, double g, double *time);
 double gs_projectile_flight_time_drag(double theta, double v, double g, double k);
 void gs_projectile_flight_time_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
 float gs_projectile_flight_time_dragf(float theta, float v, float g, float k);
 void gs_projectile_flight_time_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
+void gs_projectile_flight_time_drag_nu(size_t n, const double *theta, double v, double g, double k, double *time);
 double gs_projectile_flight_time(double theta, double v, double g, double k);
 void gs_projectile_flight_time_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
 float gs_projectile_flight_timef(float theta, float v, float g, float k);
 void gs_projectile_flight_time_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
+void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, double g, double k, double *time);
 
 /* Horizontal distance at which a projectile is back at the height of its launch.
  *
@@ -296,14 +325,17 @@ double gs_projectile_horizontal_range_free(double theta, double v, double g);
 void gs_projectile_horizontal_range_free_n(size_t n, const double *theta, const double *v, const double *g, double *range);
 float gs_projectile_horizontal_range_freef(float theta, float v, float g);
 void gs_projectile_horizontal_range_free_nf(size_t n, const float *theta, const float *v, const float *g, float *range);
+void gs_projectile_horizontal_range_free_nu(size_t n, const double *theta, double v, double g, double *range);
 double gs_projectile_horizontal_range_drag(double theta, double v, double g, double k);
 void gs_projectile_horizontal_range_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
 float gs_projectile_horizontal_range_dragf(float theta, float v, float g, float k);
 void gs_projectile_horizontal_range_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
+void gs_projectile_horizontal_range_drag_nu(size_t n, const double *theta, double v, double g, double k, double *range);
 double gs_projectile_horizontal_range(double theta, double v, double g, double k);
 void gs_projectile_horizontal_range_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
 float gs_projectile_horizontal_rangef(float theta, float v, float g, float k);
 void gs_projectile_horizontal_range_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
+void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, double g, double k, double *range);
 
 /* Position of a projectile launched from the origin, y up.
  *
@@ -326,14 +358,17 @@ void gs_projectile_position_free(double t, double theta, double v, double g, dou
 void gs_projectile_position_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y);
 void gs_projectile_position_freef(float t, float theta, float v, float g, float *x, float *y);
 void gs_projectile_position_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y);
+void gs_projectile_position_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y);
 void gs_projectile_position_drag(double t, double theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
 void gs_projectile_position_dragf(float t, float theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_position_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
+void gs_projectile_position_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position(double t, double theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
 void gs_projectile_positionf(float t, float theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_position_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
+void gs_projectile_position_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
 
 /* Velocity of a projectile, y up.
  *
@@ -356,14 +391,17 @@ void gs_projectile_velocity_free(double t, double theta, double v, double g, dou
 void gs_projectile_velocity_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy);
 void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy);
 void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy);
+void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy);
 void gs_projectile_velocity_drag(double t, double theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
 void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
+void gs_projectile_velocity_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity(double t, double theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
 void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
+void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
 
 /* Derivative of the range with respect to the elevation.
  *
@@ -384,14 +422,17 @@ double gs_projectile_range_slope_theta_free(double theta, double v, double g);
 void gs_projectile_range_slope_theta_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope);
 float gs_projectile_range_slope_theta_freef(float theta, float v, float g);
 void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope);
+void gs_projectile_range_slope_theta_free_nu(size_t n, const double *theta, double v, double g, double *slope);
 double gs_projectile_range_slope_theta_drag(double theta, double v, double g, double k);
 void gs_projectile_range_slope_theta_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
 float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
+void gs_projectile_range_slope_theta_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 double gs_projectile_range_slope_theta(double theta, double v, double g, double k);
 void gs_projectile_range_slope_theta_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
 float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
+void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 
 /* Derivative of the range with respect to the resistance coefficient; without resistance its limit.
  *
@@ -411,14 +452,17 @@ double gs_projectile_range_slope_k_free(double theta, double v, double g);
 void gs_projectile_range_slope_k_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope);
 float gs_projectile_range_slope_k_freef(float theta, float v, float g);
 void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope);
+void gs_projectile_range_slope_k_free_nu(size_t n, const double *theta, double v, double g, double *slope);
 double gs_projectile_range_slope_k_drag(double theta, double v, double g, double k);
 void gs_projectile_range_slope_k_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
 float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
+void gs_projectile_range_slope_k_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 double gs_projectile_range_slope_k(double theta, double v, double g, double k);
 void gs_projectile_range_slope_k_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
 float gs_projectile_range_slope_kf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
+void gs_projectile_range_slope_k_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 
 /* Greatest range, over all elevations.
  *
@@ -540,8 +584,7 @@ void gs_lambert_linear_exponential_roots_n(size_t n, const double *a, const doub
 void gs_lambert_linear_exponential_rootsf(float a, float b, float c, float d, float *t0, float *tm1);
 void gs_lambert_linear_exponential_roots_nf(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1);
 
-/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID.
- * These may raise FE_UNDERFLOW where the result does not. */
+/* One-variable functions, dimensionless, of x in the domain given. Beyond it: NaN and FE_INVALID. */
 
 /* (1 - exp(-z))/z, x in [0.0, inf] */
 double gs_special_phi1m(double x);
@@ -925,6 +968,46 @@ static inline gs_v gs_phi1m_near(gs_v x, gs_v *lo)
     return r;
 }
 
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_phi1m_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4095, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi1m_centre, i));
+    const gs_v q15 = gs_pick(gs_phi1m_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_phi1m_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_phi1m_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_phi1m_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_phi1m_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_phi1m_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_phi1m_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_phi1m_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi1m_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi1m_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi1m_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi1m_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi1m_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi1m_c2, i));
+    const gs_v c1 = gs_pick(gs_phi1m_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_phi1m_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_phi1m_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_phi1m_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
 /* phi1m, continued, on [26.25, 446.25): degree 14 on each of 16 pieces. */
 GS_TABLE(gs_phi1m_tail_centre) = {
     0x1.c400000000000p+4, 0x1.1200000000000p+5, 0x1.5200000000000p+5, 0x1.9200000000000p+5,
@@ -1065,6 +1148,45 @@ static inline gs_v gs_phi1m_tail_near(gs_v x, gs_v *lo)
     const gs_v s = gs_add(c0, p);
     const gs_v s_rest = gs_rest(c0, p, s);
     const gs_v s_lo = gs_add(p_lo, gs_pick(gs_phi1m_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_phi1m_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4111, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi1m_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_phi1m_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_phi1m_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_phi1m_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_phi1m_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_phi1m_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_phi1m_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_phi1m_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi1m_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi1m_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi1m_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi1m_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi1m_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi1m_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_phi1m_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_phi1m_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_phi1m_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_phi1m_tail_c0_lo, i));
     const gs_v e = gs_add(s_rest, s_lo);
     const gs_v r = gs_add(s, e);
     *lo = gs_rest(s, e, r);
@@ -1253,6 +1375,46 @@ static inline gs_v gs_phi2m_near(gs_v x, gs_v *lo)
     return r;
 }
 
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_phi2m_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4095, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi2m_centre, i));
+    const gs_v q15 = gs_pick(gs_phi2m_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_phi2m_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_phi2m_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_phi2m_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_phi2m_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_phi2m_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_phi2m_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_phi2m_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi2m_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi2m_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi2m_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi2m_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi2m_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi2m_c2, i));
+    const gs_v c1 = gs_pick(gs_phi2m_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_phi2m_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_phi2m_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_phi2m_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
 /* phi2m, continued, on [26.25, 446.25): degree 14 on each of 16 pieces. */
 GS_TABLE(gs_phi2m_tail_centre) = {
     0x1.c400000000000p+4, 0x1.1200000000000p+5, 0x1.5200000000000p+5, 0x1.9200000000000p+5,
@@ -1393,6 +1555,45 @@ static inline gs_v gs_phi2m_tail_near(gs_v x, gs_v *lo)
     const gs_v s = gs_add(c0, p);
     const gs_v s_rest = gs_rest(c0, p, s);
     const gs_v s_lo = gs_add(p_lo, gs_pick(gs_phi2m_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_phi2m_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4111, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi2m_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_phi2m_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_phi2m_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_phi2m_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_phi2m_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_phi2m_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_phi2m_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_phi2m_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi2m_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi2m_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi2m_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi2m_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi2m_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi2m_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_phi2m_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_phi2m_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_phi2m_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_phi2m_tail_c0_lo, i));
     const gs_v e = gs_add(s_rest, s_lo);
     const gs_v r = gs_add(s, e);
     *lo = gs_rest(s, e, r);
@@ -1578,6 +1779,45 @@ static inline gs_v gs_descent_factor_near(gs_v x, gs_v *lo)
     return r;
 }
 
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_descent_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.4000000000000p-1));
+    const gs_index i = gs_piece(u, 4089, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_descent_factor_centre, i));
+    const gs_v q14 = gs_pick(gs_descent_factor_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_descent_factor_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_descent_factor_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_descent_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_descent_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_descent_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_descent_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_descent_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_descent_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_descent_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_descent_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_descent_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_descent_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_descent_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_descent_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_descent_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_descent_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
 /* x >= 9.375 */
 static inline gs_v gs_descent_factor_far(gs_v x)
 {
@@ -1750,6 +1990,45 @@ static inline gs_v gs_flight_factor_near(gs_v x, gs_v *lo)
     return r;
 }
 
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_flight_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
+    const gs_v q14 = gs_pick(gs_flight_factor_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_factor_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_factor_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_flight_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_flight_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_flight_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_flight_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_flight_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_flight_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
 /* flight_factor, continued, on [15.0, 255.0): degree 14 on each of 16 pieces. */
 GS_TABLE(gs_flight_tail_centre) = {
     0x1.1000000000000p+4, 0x1.5000000000000p+4, 0x1.9000000000000p+4, 0x1.d000000000000p+4,
@@ -1890,6 +2169,45 @@ static inline gs_v gs_flight_tail_near(gs_v x, gs_v *lo)
     const gs_v s = gs_add(c0, p);
     const gs_v s_rest = gs_rest(c0, p, s);
     const gs_v s_lo = gs_add(p_lo, gs_pick(gs_flight_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_flight_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4108, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_flight_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_flight_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_flight_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_flight_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_flight_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_flight_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_flight_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_flight_tail_c0_lo, i));
     const gs_v e = gs_add(s_rest, s_lo);
     const gs_v r = gs_add(s, e);
     *lo = gs_rest(s, e, r);
@@ -2072,6 +2390,45 @@ static inline gs_v gs_range_factor_near(gs_v x, gs_v *lo)
     return r;
 }
 
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_range_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_range_factor_centre, i));
+    const gs_v q14 = gs_pick(gs_range_factor_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_range_factor_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_range_factor_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_range_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_range_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_range_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_range_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_range_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_range_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_range_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_range_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_range_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_range_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_range_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_range_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_range_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_range_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
 /* range_factor, continued, on [7.5, 127.5): degree 14 on each of 16 pieces. */
 GS_TABLE(gs_range_tail_centre) = {
     0x1.1000000000000p+3, 0x1.5000000000000p+3, 0x1.9000000000000p+3, 0x1.d000000000000p+3,
@@ -2212,6 +2569,45 @@ static inline gs_v gs_range_tail_near(gs_v x, gs_v *lo)
     const gs_v s = gs_add(c0, p);
     const gs_v s_rest = gs_rest(c0, p, s);
     const gs_v s_lo = gs_add(p_lo, gs_pick(gs_range_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_range_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_range_tail_centre, i));
+    const gs_v q14 = gs_pick(gs_range_tail_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_range_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_range_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_range_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_range_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_range_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_range_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_range_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_range_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_range_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_range_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_range_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_range_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_range_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_range_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_range_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_range_tail_c0_lo, i));
     const gs_v e = gs_add(s_rest, s_lo);
     const gs_v r = gs_add(s, e);
     *lo = gs_rest(s, e, r);
@@ -3491,6 +3887,45 @@ static inline gs_v gs_max_range_factor_near(gs_v x, gs_v *lo)
     const gs_v s = gs_add(c0, p);
     const gs_v s_rest = gs_rest(c0, p, s);
     const gs_v s_lo = gs_add(p_lo, gs_pick(gs_max_range_factor_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_max_range_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_max_range_factor_centre, i));
+    const gs_v q14 = gs_pick(gs_max_range_factor_c14, i);
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_max_range_factor_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_max_range_factor_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_max_range_factor_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_max_range_factor_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_max_range_factor_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_max_range_factor_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_max_range_factor_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_max_range_factor_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_max_range_factor_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_max_range_factor_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_max_range_factor_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_max_range_factor_c2, i));
+    const gs_v c1 = gs_pick(gs_max_range_factor_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_max_range_factor_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_max_range_factor_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_max_range_factor_c0_lo, i));
     const gs_v e = gs_add(s_rest, s_lo);
     const gs_v r = gs_add(s, e);
     *lo = gs_rest(s, e, r);
@@ -5424,6 +5859,44 @@ static inline gs_v gs_arctangent_near(gs_v x, gs_v *lo)
     return r;
 }
 
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_arctangent_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-2));
+    const gs_index i = gs_piece(u, 4084, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_arctangent_centre, i));
+    const gs_v q13 = gs_pick(gs_arctangent_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_arctangent_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_arctangent_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_arctangent_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_arctangent_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_arctangent_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_arctangent_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_arctangent_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_arctangent_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_arctangent_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_arctangent_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_arctangent_c2, i));
+    const gs_v c1 = gs_pick(gs_arctangent_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_arctangent_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_arctangent_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_arctangent_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
 /* arctan(x), continued, on [3.75, 63.75): degree 13 on each of 16 pieces. */
 GS_TABLE(gs_arctangent_tail_centre) = {
     0x1.1000000000000p+2, 0x1.5000000000000p+2, 0x1.9000000000000p+2, 0x1.d000000000000p+2,
@@ -5690,48 +6163,76 @@ static inline gs_v gs_arctan_value(gs_v x, gs_v *lo)
     } while (0)
 #define GS_NO_POLE(n, x) (void)0
 
-#define GS_PUBLIC(name, LOOK)                                                                                          \
+/* Kernels may raise 'underflow' in what they select away: it stays where it is due, a result being tiny. */
+static void gs_excuse(int before, size_t n, const double *value, int zero_is_tiny)
+{
+    if (before || !fetestexcept(FE_UNDERFLOW))
+        return;
+    for (size_t i = 0; i < n; i++)
+        if (isless(fabs(value[i]), DBL_MIN) && (value[i] != 0.0 || zero_is_tiny))
+            return;
+    feclearexcept(FE_UNDERFLOW);
+}
+static void gs_excuse_single(int before, size_t n, const float *value, int zero_is_tiny)
+{
+    if (before || !fetestexcept(FE_UNDERFLOW))
+        return;
+    for (size_t i = 0; i < n; i++)
+        if (isless(fabsf(value[i]), FLT_MIN) && (value[i] != 0.0f || zero_is_tiny))
+            return;
+    feclearexcept(FE_UNDERFLOW);
+}
+
+#define GS_PUBLIC(name, LOOK, zero)                                                                                    \
     GS_DECLARE(gs_##name)                                                                                              \
     GS_LOOPS(name)                                                                                                     \
     void gs_special_##name##_n(size_t n, const double *x, double *value)                                               \
     {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
         LOOK(n, x);                                                                                                    \
         GS_CHOOSE(gs_##name##_n)(n, x, value);                                                                         \
+        gs_excuse(before, n, value, zero);                                                                             \
     }                                                                                                                  \
     void gs_special_##name##_nf(size_t n, const float *x, float *value)                                                \
     {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
         LOOK(n, x);                                                                                                    \
         GS_CHOOSE(gs_##name##_nf)(n, x, value);                                                                        \
+        gs_excuse_single(before, n, value, zero);                                                                      \
     }                                                                                                                  \
     double gs_special_##name(double x)                                                                                 \
     {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
         LOOK(1, &x);                                                                                                   \
         GS_CHOOSE_SINGLE(gs_##name##_n)(1, &x, &x);                                                                    \
+        gs_excuse(before, 1, &x, zero);                                                                                \
         return x;                                                                                                      \
     }                                                                                                                  \
     float gs_special_##name##f(float x)                                                                                \
     {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
         LOOK(1, &x);                                                                                                   \
         GS_CHOOSE_SINGLE(gs_##name##_nf)(1, &x, &x);                                                                   \
+        gs_excuse_single(before, 1, &x, zero);                                                                         \
         return x;                                                                                                      \
     }
 
-GS_PUBLIC(phi1m, GS_NO_POLE)
-GS_PUBLIC(phi2m, GS_NO_POLE)
-GS_PUBLIC(descent_factor, GS_NO_POLE)
-GS_PUBLIC(flight_factor, GS_NO_POLE)
-GS_PUBLIC(range_factor, GS_NO_POLE)
-GS_PUBLIC(best_sine, GS_NO_POLE)
-GS_PUBLIC(best_angle, GS_NO_POLE)
-GS_PUBLIC(max_range_factor, GS_NO_POLE)
-GS_PUBLIC(w0_offset, GS_NO_POLE)
-GS_PUBLIC(wm1_offset, GS_NO_POLE)
-GS_PUBLIC(w0, GS_NO_POLE)
-GS_PUBLIC(wm1, GS_POLE_AT_0)
-GS_PUBLIC(exp_minus, GS_NO_POLE)
-GS_PUBLIC(sin, GS_NO_POLE)
-GS_PUBLIC(cos, GS_NO_POLE)
-GS_PUBLIC(arctan, GS_NO_POLE)
+GS_PUBLIC(phi1m, GS_NO_POLE, 0)
+GS_PUBLIC(phi2m, GS_NO_POLE, 0)
+GS_PUBLIC(descent_factor, GS_NO_POLE, 0)
+GS_PUBLIC(flight_factor, GS_NO_POLE, 0)
+GS_PUBLIC(range_factor, GS_NO_POLE, 0)
+GS_PUBLIC(best_sine, GS_NO_POLE, 0)
+GS_PUBLIC(best_angle, GS_NO_POLE, 0)
+GS_PUBLIC(max_range_factor, GS_NO_POLE, 0)
+GS_PUBLIC(w0_offset, GS_NO_POLE, 0)
+GS_PUBLIC(wm1_offset, GS_NO_POLE, 0)
+GS_PUBLIC(w0, GS_NO_POLE, 0)
+GS_PUBLIC(wm1, GS_POLE_AT_0, 0)
+GS_PUBLIC(exp_minus, GS_NO_POLE, 1)
+GS_PUBLIC(sin, GS_NO_POLE, 0)
+GS_PUBLIC(cos, GS_NO_POLE, 0)
+GS_PUBLIC(arctan, GS_NO_POLE, 0)
 #undef GS_SUFFIX
 #undef GS_DECLARED
 #undef GS_DECLARE
@@ -5740,6 +6241,5942 @@ GS_PUBLIC(arctan, GS_NO_POLE)
 #undef GS_POLE_AT_0
 #undef GS_NO_POLE
 #undef GS_PUBLIC
+
+/* ---- lanes.c ---- */
+/* The papers' formulas on one number at a time in plain C99, and the choice of the version for this machine. */
+
+#define GS_LANES 1
+#define GS_SUFFIX _plain
+#ifndef GALILEO_FORMS_H
+#define GALILEO_FORMS_H
+
+/* Arithmetic on pairs hi + lo, GS_LANES at a time, about 2^-100 relative, for arguments of ordinary size: there nothing
+ * overflows or underflows, and no flag is raised but 'inexact'. Other lanes are told apart first and go another way.
+ */
+#ifndef GALILEO_LANES_H
+#define GALILEO_LANES_H
+
+/* The primitives of a pair, for the forms that compute with hi + lo: gs_NAME_lanes(x, x_lo, &lo) for vectors inside the
+ * domain, gs_NAME_pair(x, x_lo, &lo) for single numbers, NaN beyond it.
+ *
+ * The result r + lo is the value at x + x_lo, |x_lo| <= ulp(x)/2 (0 where x is infinite), to 2^-57 of it; r is the
+ * nearest double but for a little (0.55 ulp), |lo| <= ulp(r)/2. But: where |r| < 2^-922, and for exp_minus from 640 on,
+ * there is no room for lo, and r alone holds; where x < 2^-900 the offsets of W have |lo| <= 3/4 ulp(r).
+ * exp(-x - x_lo) = (r + lo) 2^-m for x <= 2^15, r + lo by exp_mantissa and m by exp_exponent; r = 0 beyond.
+ * Domains are those of x, up to and with its ends as pairs: -1/e for W, pi/2 for sine and cosine.
+ */
+#ifndef GALILEO_PAIRS_H
+#define GALILEO_PAIRS_H
+
+
+#if GS_LANES == 1
+#endif
+
+/* (1 + b)^2 times the slope of -range_factor, on [0.0, 7.5): degree 16 on each of 16 pieces. */
+GS_TABLE(gs_grown_loss_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-3, 0x1.4000000000000p-2, 0x1.c000000000000p-2,
+    0x1.4000000000000p-1, 0x1.c000000000000p-1, 0x1.2000000000000p+0, 0x1.6000000000000p+0,
+    0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1, 0x1.a000000000000p+1,
+    0x1.0000000000000p+2, 0x1.4000000000000p+2, 0x1.8000000000000p+2, 0x1.c000000000000p+2
+};
+GS_TABLE(gs_grown_loss_c0) = {
+    0x1.5555555555555p+0, 0x1.421f76abbda40p+0, 0x1.3742657f99d23p+0, 0x1.2d996b21c988ap+0,
+    0x1.20e99eeef7ac9p+0, 0x1.1299fe9db6732p+0, 0x1.06898a157f782p+0, 0x1.f85d64f019e56p-1,
+    0x1.de287f11af206p-1, 0x1.c1e1534f37fffp-1, 0x1.ab1646fca9801p-1, 0x1.985169d4aa3dap-1,
+    0x1.81b90e4fdfa8cp-1, 0x1.6b03c57f87940p-1, 0x1.5a31fece4d372p-1, 0x1.4d7739f7f9e5ap-1
+};
+GS_TABLE(gs_grown_loss_c0_lo) = {
+    0x1.5555555555555p-54, 0x1.14d5e59b0a2acp-54, 0x1.a25d9424b075bp-54, 0x1.d0ffe9a017444p-54,
+    0x1.6eff105b028b9p-54, -0x1.2b054e7ce6985p-57, 0x1.592f3844a1628p-54, 0x1.458f0ba33a90cp-55,
+    0x1.dfa6a30840c11p-55, -0x1.14a44fc4ad320p-56, -0x1.b26501e0a4837p-55, 0x1.bb78e17ba1c25p-55,
+    -0x1.c664d9fa60267p-55, 0x1.a498f218af36bp-56, 0x1.7dc769c5fdacbp-55, 0x1.78ba2bd9a39fdp-55
+};
+GS_TABLE(gs_grown_loss_c1) = {
+    -0x1.c71c71c71c71cp-2, -0x1.71b60c608c64ep-2, -0x1.471235f0e0a15p-2, -0x1.244d1d45851ebp-2,
+    -0x1.f5a356b2b8353p-3, -0x1.a28b384280b01p-3, -0x1.6460aacddacc9p-3, -0x1.3444500a50120p-3,
+    -0x1.fb644fbdeb99ap-4, -0x1.93b95dc58fde0p-4, -0x1.497185db6e623p-4, -0x1.11a2b8be6b2b3p-4,
+    -0x1.a7e24d1b4d769p-5, -0x1.364fa07614b01p-5, -0x1.d12aa48b943f8p-6, -0x1.63bd73d9450dap-6
+};
+GS_TABLE(gs_grown_loss_c1_lo) = {
+    -0x1.c7170908e0541p-56, -0x1.0585167933cb0p-57, -0x1.e3daaed4c6baep-56, 0x1.aa886349c06dcp-57,
+    -0x1.0c8e215355916p-57, 0x1.69083c3d8666ep-58, -0x1.f58f070250f07p-57, -0x1.65b90ba6f9e4dp-57,
+    0x1.da343de6902ddp-59, 0x1.84fea6a9b2201p-58, -0x1.4d2f778fe4d18p-61, 0x1.2ea91f7b42385p-58,
+    0x1.23214c6a26863p-59, 0x1.80383f0128ad2p-59, 0x1.dde771b839c2dp-62, 0x1.7de4fad8f8d8ep-63
+};
+GS_TABLE(gs_grown_loss_c2) = {
+    0x1.1111111111111p-2, 0x1.7b71ab09d992fp-3, 0x1.328c558687744p-3, 0x1.f8a217629c1a8p-4,
+    0x1.83bdef20250b8p-4, 0x1.1cafb2a5e4428p-4, 0x1.b226d43d67a95p-5, 0x1.551346bf563fdp-5,
+    0x1.f072c2d292e30p-6, 0x1.5a3f5e45a1dbcp-6, 0x1.fde638bc2b531p-7, 0x1.86dd69a7d67a5p-7,
+    0x1.14aab77edd9f3p-7, 0x1.7346550b50790p-8, 0x1.02a9b53573ccap-8, 0x1.6fbccd80745f7p-9
+};
+GS_TABLE(gs_grown_loss_c3) = {
+    -0x1.8050e89cc2aacp-3, -0x1.c51692e20a6a5p-4, -0x1.4c9a7cbdc5316p-4, -0x1.f5c9611dcacbdp-5,
+    -0x1.56a5d8e951439p-5, -0x1.b5f99f830e49ep-6, -0x1.275e21b2408adp-6, -0x1.9f6d919e8815ep-7,
+    -0x1.0476097f87327p-7, -0x1.3122e41e48031p-8, -0x1.822670e504a90p-9, -0x1.03fd9c81acc3ep-9,
+    -0x1.3bf76c15d010ap-10, -0x1.742ad0dc6cc4fp-11, -0x1.e26eb423dca9cp-12, -0x1.473bcab68c708p-12
+};
+GS_TABLE(gs_grown_loss_c4) = {
+    0x1.26bd167c0d7f6p-3, 0x1.26248cfd0cf86p-4, 0x1.8807d18a8e06cp-5, 0x1.0ee3d46bb1386p-5,
+    0x1.48d68f2a45607p-6, 0x1.6e8846f763f5fp-7, 0x1.b6c723000018fp-8, 0x1.1593343cace12p-8,
+    0x1.2e8d4d7f89d3ep-9, 0x1.2ce9afc970cefp-10, 0x1.47fdfe61c2636p-11, 0x1.7ec67cae08026p-12,
+    0x1.7a195266fc486p-13, 0x1.5eec667055c12p-14, 0x1.86326fdb2bcb8p-15, 0x1.eca86506e870ep-16
+};
+GS_TABLE(gs_grown_loss_c5) = {
+    -0x1.dc3484af1475ap-4, -0x1.916ae50df6dadp-5, -0x1.e4fd9dd644435p-6, -0x1.328f4be8827f5p-6,
+    -0x1.4a1b4603afb20p-7, -0x1.400cd7ec86199p-8, -0x1.535830166050dp-9, -0x1.81c26eed38356p-10,
+    -0x1.6ddc6efc686bbp-11, -0x1.37e2ae0bc382dp-12, -0x1.2b1ce65acf6b9p-13, -0x1.3802521ca9890p-14,
+    -0x1.05aceb285df09p-15, -0x1.795bc080c9478p-17, -0x1.3f6f32c512ed4p-18, -0x1.4b45dbd671a44p-19
+};
+GS_TABLE(gs_grown_loss_c6) = {
+    0x1.8ea2b4981a57ep-4, 0x1.1b8af6f9954b9p-5, 0x1.3659afd803e71p-6, 0x1.66ac0c478a48fp-7,
+    0x1.56438a111decfp-8, 0x1.203659ae2655dp-9, 0x1.0e25f15380350p-10, 0x1.133b35568c911p-11,
+    0x1.c3ed2107e3b55p-13, 0x1.475bd51f51772p-14, 0x1.127c00f872bd9p-15, 0x1.00edf80268082p-16,
+    0x1.7d3f326d55b77p-18, 0x1.dcb0efa7510c7p-20, 0x1.44a8e77cd663ap-21, 0x1.ebc2085dfe325p-23
+};
+GS_TABLE(gs_grown_loss_c7) = {
+    -0x1.565ad5c8d183cp-4, -0x1.9ab549f221647p-6, -0x1.971b77b36e082p-7, -0x1.adfae75e56d83p-8,
+    -0x1.6b75e5e8ea5b6p-9, -0x1.09b6f854375a3p-10, -0x1.b83a1ca9a9355p-12, -0x1.91dd683189e89p-13,
+    -0x1.1d5dc362791b0p-14, -0x1.5de67cb3fdac4p-16, -0x1.fbb3366fb9253p-18, -0x1.a32bd58c87d2ap-19,
+    -0x1.0ce0f1255b5a5p-20, -0x1.2eb2cc5b98d0bp-22, -0x1.81bab25a08009p-24, -0x1.ee20879e039ffp-26
+};
+GS_TABLE(gs_grown_loss_c8) = {
+    0x1.2baf9524028dfp-4, 0x1.2f1dc55a5ddefp-6, 0x1.1007b3677c79ap-7, 0x1.068286c3ff6f0p-8,
+    0x1.88fdde1e295a8p-10, 0x1.f2aa86b1f311ap-12, 0x1.6cf9afaacbbdbp-13, 0x1.2a7f3085fd121p-14,
+    0x1.6ed65705b5c7dp-16, 0x1.7d63b60eb4f9ep-18, 0x1.df7cb11ceb569p-20, 0x1.5b83809a4c1f1p-21,
+    0x1.75635d4e2f8a2p-23, 0x1.647576f9b20e9p-25, 0x1.b470d7f02859fp-27, 0x1.1a32935cb9c73p-28
+};
+GS_TABLE(gs_grown_loss_c9) = {
+    -0x1.08f73d7188fd8p-4, -0x1.c60faae8146a5p-7, -0x1.70dff6e81b079p-8, -0x1.452e1793b3e61p-9,
+    -0x1.aefa076bb9408p-11, -0x1.da701392be848p-13, -0x1.32b392ad045c6p-14, -0x1.c151a438bc6a5p-16,
+    -0x1.dda2eeabf19b7p-18, -0x1.a5390dfad18e1p-20, -0x1.cc58367e2c9d8p-22, -0x1.26ea14dcc0365p-23,
+    -0x1.0a64d4c643c11p-25, -0x1.9527bccf296bdp-28, -0x1.b47849455db19p-30, -0x1.21e29e00a0b12p-31
+};
+GS_TABLE(gs_grown_loss_c10) = {
+    0x1.aa014208c22c8p-5, 0x1.58213438c6c53p-7, 0x1.fa1522168542cp-9, 0x1.9780d8c93c8b1p-10,
+    0x1.de0e68da6afdcp-12, 0x1.c87781b849bf0p-14, 0x1.0493cf15842dep-15, 0x1.55d497d553065p-17,
+    0x1.3a2ce883e2722p-19, 0x1.d5980c38126f2p-22, 0x1.bdc73d32c575bp-24, 0x1.fa264d5135956p-26,
+    0x1.879f6c648970ep-28, 0x1.e013e6f3ba332p-31, 0x1.9771c0d54e76cp-33, 0x1.f5331e99c27c5p-35
+};
+GS_TABLE(gs_grown_loss_c11) = {
+    0x1.0fb0bac93a615p-5, -0x1.0759e311ca628p-7, -0x1.5e82a97a9bcacp-9, -0x1.01c60203beb3fp-10,
+    -0x1.0ba3a9fc6f2bcp-12, -0x1.bb3f135e6974dp-15, -0x1.bed1141e62c9fp-17, -0x1.06645e056935ap-18,
+    -0x1.a0f2ac30196afp-21, -0x1.07f2d99178980p-23, -0x1.b2a94674f1ca6p-26, -0x1.b41d5828889eap-28,
+    -0x1.21bba925e3892p-30, -0x1.2d5d48707b868p-33, -0x1.915f4bb30935ep-36, -0x1.7ed768bc4a3c2p-38
+};
+GS_TABLE(gs_grown_loss_c12) = {
+    -0x1.86983ad344522p-1, 0x1.9655dd30d1515p-8, 0x1.e96d938809165p-10, 0x1.48b8400e82421p-11,
+    0x1.2e096088620e5p-13, 0x1.b1bf54e0c25acp-16, 0x1.82022d1f1b3c6p-18, 0x1.95dc980244f7ep-20,
+    0x1.16b733d09f966p-22, 0x1.2ae6cb4a2a44fp-25, 0x1.aae62e3de1673p-28, 0x1.79e0d8eb58f69p-30,
+    0x1.ab326a7125871p-33, 0x1.7e95a75307cadp-36, 0x1.bb839a2c121e1p-39, 0x1.2f59909955244p-41
+};
+GS_TABLE(gs_grown_loss_c13) = {
+    0x1.4ea9c86468033p+2, -0x1.3b9c7b42ad275p-8, -0x1.58046aef2ecd5p-10, -0x1.a6043c156dd75p-12,
+    -0x1.57103e4825382p-14, -0x1.ab3328617c059p-17, -0x1.4f9e6970ecaa4p-19, -0x1.3be28d9d25667p-21,
+    -0x1.76cf8a4cff843p-24, -0x1.547f75e662430p-27, -0x1.a5e803aa04f8ap-30, -0x1.49b560e1d7f55p-32,
+    -0x1.3babffe55b8d3p-35, -0x1.dadf2faf1eca2p-39, -0x1.fefbc0f148072p-42, -0x1.2695c2a57124dp-44
+};
+GS_TABLE(gs_grown_loss_c14) = {
+    -0x1.679e316e99299p+4, 0x1.ed2ff87d74ec5p-9, 0x1.e673f45cb7b6bp-11, 0x1.1078e2bb060cep-12,
+    0x1.87fa68ad42fefp-15, 0x1.a72ea75b10838p-18, 0x1.25756a7194281p-20, 0x1.ee7269aa8c328p-23,
+    0x1.faf7867d36339p-26, 0x1.85ffd1b0b83acp-29, 0x1.a329216477645p-32, 0x1.215765e7b8a70p-34,
+    0x1.d6e5918c46682p-38, 0x1.22bfe082fa27ep-41, 0x1.199e4450fce4ap-44, 0x1.4680b8b402816p-47
+};
+GS_TABLE(gs_grown_loss_c15) = {
+    0x1.c62b7a5397fd4p+5, -0x1.875b208d7ec4ap-9, -0x1.5ca158822ad79p-11, -0x1.64212cada0bf3p-13,
+    -0x1.cc4e088afac97p-16, -0x1.ac67431f50f07p-19, -0x1.053b88ce28456p-21, -0x1.88ea9e815d092p-24,
+    -0x1.63842fa292d77p-27, -0x1.caf7a8b06d691p-31, -0x1.a961de30ccbf9p-34, -0x1.02545c8952f81p-36,
+    -0x1.6f816e6acc6afp-40, -0x1.71a8228d028f2p-44, -0x1.2a080af4148c1p-47, -0x1.5e7c2e7d983bfp-50
+};
+GS_TABLE(gs_grown_loss_c16) = {
+    -0x1.0084022f05102p+6, 0x1.34b8392f0d69fp-9, 0x1.f1b0daf7763b6p-12, 0x1.d03bf2c0108e1p-14,
+    0x1.097994541b6ddp-16, 0x1.ac5b14c16db53p-20, 0x1.cd0eb86ae5f19p-23, 0x1.3650fbba92c01p-25,
+    0x1.e5418bbd227b2p-29, 0x1.092cc1cb8e089p-32, 0x1.aa376376416d4p-36, 0x1.c8f74afb99706p-39,
+    0x1.14d4b1c83ec86p-42, 0x1.d23afe7727c0fp-47, 0x1.31aad299f5f13p-50, 0x1.485a6f32b0a18p-53
+};
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_grown_loss_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_loss_centre, i));
+    const gs_v q16 = gs_pick(gs_grown_loss_c16, i);
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_grown_loss_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_loss_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_loss_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_loss_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_loss_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_loss_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_loss_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_loss_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_loss_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_loss_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_loss_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_loss_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_loss_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_loss_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_loss_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_loss_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_grown_loss_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_grown_loss_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* grown_loss, continued, on [7.5, 127.5): degree 15 on each of 16 pieces. */
+GS_TABLE(gs_grown_loss_tail_centre) = {
+    0x1.1000000000000p+3, 0x1.5000000000000p+3, 0x1.9000000000000p+3, 0x1.d000000000000p+3,
+    0x1.1800000000000p+4, 0x1.5800000000000p+4, 0x1.9800000000000p+4, 0x1.d800000000000p+4,
+    0x1.1c00000000000p+5, 0x1.5c00000000000p+5, 0x1.9c00000000000p+5, 0x1.dc00000000000p+5,
+    0x1.1e00000000000p+6, 0x1.5e00000000000p+6, 0x1.9e00000000000p+6, 0x1.de00000000000p+6
+};
+GS_TABLE(gs_grown_loss_tail_c0) = {
+    0x1.3f8d055c0cbb8p-1, 0x1.330c517eb1e2bp-1, 0x1.2a97c68c879abp-1, 0x1.2486f0224594ep-1,
+    0x1.1e17cfa80152bp-1, 0x1.185e25ddc19aep-1, 0x1.1478dd414487ap-1, 0x1.11a66cfd455ffp-1,
+    0x1.0ea02be083a00p-1, 0x1.0be7c88819b47p-1, 0x1.0a09cc05e348ep-1, 0x1.08ad670686ae0p-1,
+    0x1.0735fe85d3dbbp-1, 0x1.05e286885f293p-1, 0x1.04f88394e9e37p-1, 0x1.044d6d1497ee2p-1
+};
+GS_TABLE(gs_grown_loss_tail_c0_lo) = {
+    0x1.3f10759a5ad95p-58, -0x1.1d3695ba5ef39p-55, -0x1.2231bd0429b91p-56, 0x1.c8f0f7bf9be22p-56,
+    0x1.ee890a290c4d9p-56, 0x1.505e0c492c1c8p-55, 0x1.1f042ebc266c2p-56, 0x1.22f1e64f00756p-56,
+    0x1.ddfabd75a4bbap-56, 0x1.9d870e3669a55p-58, 0x1.7a8df970b5008p-55, 0x1.17fd406486356p-55,
+    0x1.ee8992fbb0fc3p-57, 0x1.e8c72be76f912p-56, 0x1.0e2a5b941b250p-55, -0x1.0632bdf8aecb2p-55
+};
+GS_TABLE(gs_grown_loss_tail_c1) = {
+    -0x1.ed7a6d7af4a27p-7, -0x1.43647305d1cdbp-7, -0x1.c4524863e9bc0p-8, -0x1.4d19aec25aa7bp-8,
+    -0x1.c46f53a7d7bafp-9, -0x1.28bd8afe76e04p-9, -0x1.a2f3f3e8c7b45p-10, -0x1.377083fdcb98ep-10,
+    -0x1.abbce65e569dep-11, -0x1.1b70cf662b42ep-11, -0x1.9307b781e6b99p-12, -0x1.2d2a3887dc812p-12,
+    -0x1.9ff552ddfc321p-13, -0x1.150b4ef01eb78p-13, -0x1.8b5366dda339bp-14, -0x1.282be61e2476ap-14
+};
+GS_TABLE(gs_grown_loss_tail_c1_lo) = {
+    -0x1.bd4e030683358p-62, -0x1.007cf47d0a3b5p-62, -0x1.7ee316693441fp-64, 0x1.2223a7970039cp-64,
+    0x1.21a629dac10aap-64, -0x1.d3526fdbb9d8bp-63, -0x1.1053ebb8f6472p-65, 0x1.b568bd3d13eb2p-64,
+    -0x1.95bfd4f60ac6fp-66, 0x1.6c85057edec44p-66, -0x1.0390532dbdde7p-68, 0x1.ea4a14df92effp-66,
+    0x1.80b4292661815p-67, 0x1.8528a57094244p-67, -0x1.b60c91b1d566dp-69, 0x1.48eb458b18c8fp-69
+};
+GS_TABLE(gs_grown_loss_tail_c2) = {
+    0x1.c50cabc50b21fp-10, 0x1.f5d7626c4638dp-11, 0x1.2a2b5b3ce0c99p-11, 0x1.7ac40b69be872p-12,
+    0x1.a8c157546cd39p-13, 0x1.c3789f6d5c728p-14, 0x1.0bd50bca080a5p-14, 0x1.575ef54ffe9b8p-15,
+    0x1.86d92908dbd93p-16, 0x1.a5b3a4405355ep-17, 0x1.f99f7e6c621a1p-18, 0x1.469e8b375f9c8p-18,
+    0x1.76e4e20d38c8cp-19, 0x1.9790d486f52d9p-20, 0x1.eb3e9cf911fa9p-21, 0x1.3e8dede52cc9cp-21
+};
+GS_TABLE(gs_grown_loss_tail_c3) = {
+    -0x1.78e6705d50a05p-13, -0x1.742279bdda901p-14, -0x1.8249121f7a79bp-15, -0x1.ac0d0be8147fcp-16,
+    -0x1.8e31e2cd185f7p-17, -0x1.5743d6ae8a7b6p-18, -0x1.565396ede1abbp-19, -0x1.7a7a4b51648f8p-20,
+    -0x1.65132f8340ac2p-21, -0x1.39aa0a5ade808p-22, -0x1.3d232e9c0c929p-23, -0x1.623388443b3fep-24,
+    -0x1.51de317937844p-25, -0x1.2bc7ac9c44c42p-26, -0x1.31361576b7dcep-27, -0x1.569f812a9ce56p-28
+};
+GS_TABLE(gs_grown_loss_tail_c4) = {
+    0x1.1090b98ee29a7p-16, 0x1.fd997f2495d96p-18, 0x1.e24fce36dc8bcp-19, 0x1.dcb1917930fa9p-20,
+    0x1.741995574b8eep-21, 0x1.04d355d72f54ep-22, 0x1.b56424b21fa06p-24, 0x1.a1118c2678247p-25,
+    0x1.4629773591278p-26, 0x1.d28de23276a4fp-28, 0x1.8dcbbb737bbe0p-29, 0x1.80164cb8509e3p-30,
+    0x1.307c0d433c317p-31, 0x1.b8fc3604b9ed8p-33, 0x1.7b3f8d4048087p-34, 0x1.7081067c9e89bp-35
+};
+GS_TABLE(gs_grown_loss_tail_c5) = {
+    -0x1.4cf6ec273bc17p-20, -0x1.356ea9fa80743p-21, -0x1.1a29486f06a63p-22, -0x1.0196d2e4bb0ccp-23,
+    -0x1.592048ada1e09p-25, -0x1.8bef67ae19f2fp-27, -0x1.17535dddd86e5p-28, -0x1.cb7b16ffb8368p-30,
+    -0x1.29dfa6e75d9efp-31, -0x1.5af1606ef391dp-33, -0x1.f2ecee6b77d53p-35, -0x1.a077aaf91fd42p-36,
+    -0x1.12631cef39192p-37, -0x1.445753421e729p-39, -0x1.d73bfed30ecfcp-41, -0x1.8c5551724fa85p-42
+};
+GS_TABLE(gs_grown_loss_tail_c6) = {
+    0x1.601479219c422p-24, 0x1.3e318a436a4dep-25, 0x1.2a43b917f0f20p-26, 0x1.080d2a9256763p-27,
+    0x1.3b1a14cbd403cp-29, 0x1.2bd138749dda0p-31, 0x1.649871506d4ddp-33, 0x1.fa14a34382ba4p-35,
+    0x1.0ffe2c05ea351p-36, 0x1.01f777e2ad90cp-38, 0x1.38db2a66da1fdp-40, 0x1.c38c78522f81ep-42,
+    0x1.ee81de26ce618p-44, 0x1.dd1608870e720p-46, 0x1.24c2634973c94p-47, 0x1.aa41d10da3869p-49
+};
+GS_TABLE(gs_grown_loss_tail_c7) = {
+    -0x1.92e5ebcafa6eap-28, -0x1.076496278cfb9p-29, -0x1.0ee4bfbaa2a95p-30, -0x1.f185e46ceb853p-32,
+    -0x1.175c9f0cf9a24p-33, -0x1.c3c4f85c61e10p-36, -0x1.c6e040be5dcb0p-38, -0x1.16a0c65675327p-39,
+    -0x1.f0a3b6f49c6fdp-42, -0x1.7f93264993cdbp-44, -0x1.88539817c1c39p-46, -0x1.e98de0cbd634fp-48,
+    -0x1.bd9639016e0bbp-50, -0x1.5edf288f7007dp-52, -0x1.6bc070448488ep-54, -0x1.ca6ec1920442fp-56
+};
+GS_TABLE(gs_grown_loss_tail_c8) = {
+    0x1.6680fbb21f3bbp-31, 0x1.6714417098f96p-34, 0x1.83d62a98f60fap-35, 0x1.9b374aba62856p-36,
+    0x1.d77242ac9efb3p-38, 0x1.50e2c6a874646p-40, 0x1.21a7916f19205p-42, 0x1.32b22595b78bbp-44,
+    0x1.c5571f287aedap-47, 0x1.1d23e266ce36ep-49, 0x1.ebf19ba311c14p-52, 0x1.095ce0e344bfbp-53,
+    0x1.917cff91fea69p-56, 0x1.020a3c57e0a22p-58, 0x1.c3f3159c26fabp-61, 0x1.ed07620896fedp-63
+};
+GS_TABLE(gs_grown_loss_tail_c9) = {
+    -0x1.97fa13533c428p-34, -0x1.67fe6dffbc3d6p-38, -0x1.6028a6d4207ddp-40, -0x1.11333ce230184p-40,
+    -0x1.6fbc9964bf634p-42, -0x1.ecfe244f08382p-45, -0x1.6fa8e44cb56a2p-47, -0x1.51662434948aep-49,
+    -0x1.9dbf7c76bba23p-52, -0x1.a7e2f3350a102p-55, -0x1.34672d5fb34bap-57, -0x1.1fa9861255bafp-59,
+    -0x1.69bd095175e12p-62, -0x1.7b86f2090fce3p-65, -0x1.18c29d576f404p-67, -0x1.091d16f71c093p-69
+};
+GS_TABLE(gs_grown_loss_tail_c10) = {
+    0x1.9fde2ebb59a14p-37, 0x1.b13f2784492afp-41, 0x1.742b77b2297edp-48, 0x1.b9e499f1d79bap-46,
+    0x1.f9d2d724f479bp-47, 0x1.5d49cd71d0bdbp-49, 0x1.cf99f1ed14a1ep-52, 0x1.72c5d898bda73p-54,
+    0x1.798cf6559f611p-57, 0x1.3b0a5487b0ddap-60, 0x1.82a67abe4feb7p-63, 0x1.37d122102bcafp-65,
+    0x1.45e9fa776e16dp-68, 0x1.1719353ed568cp-71, 0x1.5cd2258453b80p-74, 0x1.1d1c970edc650p-76
+};
+GS_TABLE(gs_grown_loss_tail_c11) = {
+    -0x1.54915a69c90bcp-40, -0x1.0a630251d161bp-43, -0x1.1f5c7e442d4a2p-50, 0x1.e19ca407351d7p-52,
+    -0x1.14c26dd981a82p-51, -0x1.d605b1ebce24fp-54, -0x1.20c4fb8e658e1p-56, -0x1.9690f2cf2ed4ep-59,
+    -0x1.5870556f65a2dp-62, -0x1.d43cad57b095dp-66, -0x1.e4b65d5a6e3bbp-69, -0x1.51faceb37ef5bp-71,
+    -0x1.259f1c82274ccp-74, -0x1.9a79eb6acc128p-78, -0x1.b15ef1a4e61e9p-81, -0x1.329cf7d4b59a1p-83
+};
+GS_TABLE(gs_grown_loss_tail_c12) = {
+    0x1.b826ba3d15f7bp-44, 0x1.f8074ceb0eef6p-47, 0x1.68febe936789fp-51, -0x1.81cde7727b06dp-54,
+    0x1.3852663e57936p-57, 0x1.236cb6405b6f7p-58, 0x1.6054320731942p-61, 0x1.bbe518520bb96p-64,
+    0x1.39c48a3b8f158p-67, 0x1.5bc1370c7f8f4p-71, 0x1.2fb927b8720e6p-74, 0x1.6e43ea50f76b2p-77,
+    0x1.083a14983996ep-80, 0x1.2db1db0ff1145p-84, 0x1.0d22f98f69d53p-87, 0x1.49afb6fbbff67p-90
+};
+GS_TABLE(gs_grown_loss_tail_c13) = {
+    -0x1.cddc32e7309afp-48, -0x1.6ec66e2fad189p-50, -0x1.efa7df8e3ace0p-54, 0x1.a1fa7277fb965p-59,
+    0x1.f976690641e38p-62, -0x1.3ae1c0da4f2bfp-63, -0x1.9fd1649872213p-66, -0x1.e10435cc35945p-69,
+    -0x1.1dfd568cc909bp-72, -0x1.02604cef7fe48p-76, -0x1.7cb242bf391bdp-80, -0x1.8cf35cc08a312p-83,
+    -0x1.dc0dc6d3c6d3dp-87, -0x1.bbaf1278492a4p-91, -0x1.4e5bb4e20407fp-94, -0x1.6289c8e60cdd3p-97
+};
+GS_TABLE(gs_grown_loss_tail_c14) = {
+    0x1.09ea1161a43cfp-51, 0x1.965057196ad82p-54, 0x1.c44d5f5e75c1ep-57, 0x1.c651de8c799bfp-62,
+    -0x1.0d80df26be812p-64, 0x1.f189a6fd04229p-69, 0x1.d84e61c32ba8ap-71, 0x1.0586ccc2c5d2fp-73,
+    0x1.12782c7c5cc06p-77, 0x1.8d9ada14d8c47p-82, 0x1.e9252931c9eb5p-86, 0x1.b63906d38c84fp-89,
+    0x1.c3bd5c5731ef8p-93, 0x1.51a6182585659p-97, 0x1.a9a3f2d6b336fp-101, 0x1.8445d2cb64ec1p-104
+};
+GS_TABLE(gs_grown_loss_tail_c15) = {
+    -0x1.e39a1c7870b29p-55, -0x1.2faa70b8e8951p-58, -0x1.2eba6c3e1ae86p-60, -0x1.5a8a2d12bc788p-64,
+    0x1.f23681f8475bcp-69, -0x1.a87d25c90ebcdp-77, -0x1.e3aa59f6ee83dp-76, -0x1.115f728b4f276p-78,
+    -0x1.f273d78772ac9p-83, -0x1.2756c084e0e2ep-87, -0x1.3282673145a69p-91, -0x1.dae1e24eb48ccp-95,
+    -0x1.96e9774cd3166p-99, -0x1.f087db3cee426p-104, -0x1.08621d8d52dc3p-107, -0x1.a187113c569c3p-111
+};
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_grown_loss_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_loss_tail_centre, i));
+    const gs_v q15 = gs_pick(gs_grown_loss_tail_c15, i);
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_loss_tail_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_loss_tail_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_loss_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_loss_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_loss_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_loss_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_loss_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_loss_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_loss_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_loss_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_loss_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_loss_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_loss_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_loss_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_loss_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_grown_loss_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_grown_loss_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), on [0.0, 7.5): degree 17 on each of 16 pieces. */
+GS_TABLE(gs_grown_balance_centre) = {
+    0x0.0p+0, 0x1.8000000000000p-3, 0x1.4000000000000p-2, 0x1.c000000000000p-2,
+    0x1.4000000000000p-1, 0x1.c000000000000p-1, 0x1.2000000000000p+0, 0x1.6000000000000p+0,
+    0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1, 0x1.a000000000000p+1,
+    0x1.0000000000000p+2, 0x1.4000000000000p+2, 0x1.8000000000000p+2, 0x1.c000000000000p+2
+};
+GS_TABLE(gs_grown_balance_c0) = {
+    0x1.0000000000000p+0, 0x1.e7a94cf06e84fp-1, 0x1.de0e2e31892e0p-1, 0x1.d8443dbb59893p-1,
+    0x1.d507267c17d94p-1, 0x1.d842de9dce088p-1, 0x1.e1dc71e7dc03fp-1, 0x1.f05220701959ap-1,
+    0x1.0691cff73c5c8p+0, 0x1.1f006effac61dp+0, 0x1.3c2695b5ae896p+0, 0x1.5d1a30979f538p+0,
+    0x1.942eb5025373cp+0, 0x1.e560c739c7543p+0, 0x1.1e30df14769e1p+1, 0x1.4b66620da4053p+1
+};
+GS_TABLE(gs_grown_balance_c0_lo) = {
+    0x0.0p+0, 0x1.2353e64a3f9f2p-56, 0x1.eca4c09700db5p-60, 0x1.1d9422299a569p-56,
+    -0x1.403d83c252d78p-55, -0x1.269db5fca9487p-56, 0x1.5172af31a4a3bp-55, -0x1.b0fffe6a75eebp-57,
+    -0x1.deae7fe25115cp-54, 0x1.e3359006ccfabp-54, -0x1.2d4582fdd3760p-54, 0x1.a08ea3823d63fp-56,
+    -0x1.cccfa0cc3103bp-54, 0x1.84adedd5d7cadp-54, -0x1.36bf11e17e217p-53, -0x1.713f249078489p-53
+};
+GS_TABLE(gs_grown_balance_c1) = {
+    -0x1.5555555555555p-2, -0x1.7bdd99f40ae91p-3, -0x1.e24f08d26e617p-4, -0x1.0b338207c693cp-4,
+    -0x1.5bcb07b3bb050p-8, 0x1.aeed6d621ff1dp-5, 0x1.8724755d3cf1ep-4, 0x1.08ac622179e5dp-3,
+    0x1.5aae13f505f77p-3, 0x1.af893be7b3581p-3, 0x1.f2dc2b611e110p-3, 0x1.14e30bbd2bf9fp-2,
+    0x1.34fd3d3576ecep-2, 0x1.5250d6af3eafbp-2, 0x1.6420c34ffa73bp-2, 0x1.6e35157427c85p-2
+};
+GS_TABLE(gs_grown_balance_c1_lo) = {
+    -0x1.555553e861089p-56, -0x1.a8ee6b7613a1dp-57, -0x1.36e0b9d032ce0p-58, -0x1.dacb198e743d8p-58,
+    0x1.2efe3bfeb8f4fp-62, -0x1.80d09d99a8556p-60, -0x1.0425d1d356b3ep-58, 0x1.cdfd13c59018bp-60,
+    -0x1.db6efa3ed3530p-58, 0x1.3ac26c2c9ca29p-58, 0x1.03dfb1440435fp-57, -0x1.d893571b4e49ep-57,
+    -0x1.6b9bc2aeade65p-56, 0x1.30b0d49395e49p-60, 0x1.345586c19abfdp-56, 0x1.1b384f9110e93p-57
+};
+GS_TABLE(gs_grown_balance_c2) = {
+    0x1.0000000000000p-1, 0x1.3d782488935e9p-2, 0x1.e4af9d83974d7p-3, 0x1.7dec63a8c403bp-3,
+    0x1.18d3c2c625d6dp-3, 0x1.9225025e80116p-4, 0x1.3435c8e8cc84dp-4, 0x1.f197cbe4a9118p-5,
+    0x1.82d462a165f43p-5, 0x1.2b795690dc888p-5, 0x1.e48db5b1a2753p-6, 0x1.8d28810ef2639p-6,
+    0x1.23ad849ab5732p-6, 0x1.6e52f7f0b3655p-7, 0x1.abc1e35261902p-8, 0x1.d2f9cbd87a816p-9
+};
+GS_TABLE(gs_grown_balance_c3) = {
+    -0x1.e1a8c536fe1a9p-2, -0x1.e723d2dddc74bp-3, -0x1.476704f2c8748p-3, -0x1.c8426057c5a1cp-4,
+    -0x1.1876a3b259137p-4, -0x1.3e8cc3ffd2921p-5, -0x1.86b33ca8bb54dp-6, -0x1.ff98afee69a8cp-7,
+    -0x1.2ea35e86f7cbep-7, -0x1.6af52810178bbp-8, -0x1.0493c766b1070p-8, -0x1.a53879bf7576cp-9,
+    -0x1.4f1a023c9e80bp-9, -0x1.ea0d998002f36p-10, -0x1.470bd82a018fcp-10, -0x1.8bb36dd00e76bp-11
+};
+GS_TABLE(gs_grown_balance_c4) = {
+    0x1.dd8cf5411b37cp-2, 0x1.97153cdc17f48p-3, 0x1.ef4a722fca5a9p-4, 0x1.3b1bfdc51bef7p-4,
+    0x1.5631a080dfd2cp-5, 0x1.4e688edecc2fcp-6, 0x1.63797ea5e6c45p-7, 0x1.9241dd3c410e4p-8,
+    0x1.74d03aa3394efp-9, 0x1.2ba6cd61f4b8ap-10, 0x1.0fd082c8a22bcp-11, 0x1.282844993cf71p-12,
+    0x1.8031989253ef9p-13, 0x1.5a82512f6a5f4p-13, 0x1.29df049e67f26p-13, 0x1.b0d1b9431b602p-14
+};
+GS_TABLE(gs_grown_balance_c5) = {
+    -0x1.d9d92bcba96c1p-2, -0x1.545b22864abd5p-3, -0x1.76f748e964f67p-4, -0x1.b42b084b425e5p-5,
+    -0x1.a443253e1aa08p-6, -0x1.66691fb521a58p-7, -0x1.53ffadcf02299p-8, -0x1.5df7232be05a3p-9,
+    -0x1.21891888d6f78p-10, -0x1.9a026c6f51969p-12, -0x1.36edd99803598p-13, -0x1.ca8b71bcf8afep-15,
+    -0x1.331d89fe960eap-17, -0x1.5380e8a6f0a71p-19, -0x1.c35d2cd5d44ccp-18, -0x1.1240c64e9ab23p-17
+};
+GS_TABLE(gs_grown_balance_c6) = {
+    0x1.d6a4e96053f7fp-2, 0x1.1ca0d97862d77p-3, 0x1.1bace9b2a5fc6p-4, 0x1.2d3fe75949e5bp-5,
+    0x1.00bca9d3d57e6p-6, 0x1.7b8dfb7ca39e9p-8, 0x1.3e0cc0adcf6d1p-9, 0x1.25f3ac6f140c8p-10,
+    0x1.aa71d773ccf81p-12, 0x1.0e24159cb6ad5p-13, 0x1.90ee669297738p-15, 0x1.3fedade6b0482p-16,
+    0x1.173fc049c8346p-18, -0x1.1c1c9149193d2p-21, -0x1.2fbd6899febd7p-21, 0x1.fc9c61f61cd1dp-25
+};
+GS_TABLE(gs_grown_balance_c7) = {
+    -0x1.d3fb3aaff0404p-2, -0x1.dc99309ee2effp-4, -0x1.adbaf7f88ad63p-5, -0x1.a0a23da5d93e5p-6,
+    -0x1.3a0b35f048215p-7, -0x1.922c78ed31700p-9, -0x1.290b441bd709bp-10, -0x1.ea54e53c3ade4p-12,
+    -0x1.31be4d745a921p-13, -0x1.468448463a92bp-15, -0x1.ae5bef2d25b11p-17, -0x1.4f52991a9e787p-18,
+    -0x1.837a0ef4d20f3p-20, -0x1.871375ee76ecap-23, 0x1.79ba3edb56787p-24, 0x1.31f01fff24243p-24
+};
+GS_TABLE(gs_grown_balance_c8) = {
+    0x1.d1b66c6590227p-2, 0x1.8f59d88135ddfp-4, 0x1.45c451c10ef15p-5, 0x1.205caa3e50205p-6,
+    0x1.808a30bc9f86bp-8, 0x1.aac8cedd66766p-10, 0x1.161f322072a31p-11, 0x1.9aa528f770636p-13,
+    0x1.b95782f5bf80cp-15, 0x1.8a5ab58ffb718p-17, 0x1.b6872d1a8b71cp-19, 0x1.25c1571bcc03dp-20,
+    0x1.3de6231ce300ap-22, 0x1.346116f926601p-24, 0x1.0eb12ad66b39ap-27, -0x1.ed1204a495b45p-28
+};
+GS_TABLE(gs_grown_balance_c9) = {
+    -0x1.cfc6a44843f83p-2, -0x1.4ed55b8e494b9p-4, -0x1.ee3783a51eb0bp-6, -0x1.8f68a24e10e46p-7,
+    -0x1.d724125e84a52p-9, -0x1.c52a9e7a750e1p-11, -0x1.04962704deae2p-12, -0x1.5853be59da315p-14,
+    -0x1.3fd679fcec741p-16, -0x1.e3e28f2e6301ap-19, -0x1.cdeac809c9b41p-21, -0x1.05c5ee58988aap-22,
+    -0x1.aafa9e71c5fecp-25, -0x1.9907a0474bf52p-27, -0x1.eed81569231b2p-29, -0x1.5c4fae9d43cb1p-32
+};
+GS_TABLE(gs_grown_balance_c10) = {
+    0x1.cec67639abbdep-2, 0x1.18e16aba79b28p-4, 0x1.7712f2b9e4832p-6, 0x1.14bf8f4653b1fp-7,
+    0x1.20c3b5095660fp-9, 0x1.e1659ea16ad9ep-12, 0x1.e87ba5b34bbffp-14, 0x1.20c189a9c0a70p-15,
+    0x1.cf695f5a3e584p-18, 0x1.294a5be3ff617p-20, 0x1.ef1f2badb6f57p-23, 0x1.f073f5fcc27f7p-25,
+    0x1.3932b172b0ab4p-27, 0x1.736b4ca2ff854p-30, 0x1.1b06eb17ea257p-31, 0x1.792e2e998eca0p-33
+};
+GS_TABLE(gs_grown_balance_c11) = {
+    -0x1.d94ce3d7de874p-2, -0x1.d76faccbc5db8p-5, -0x1.1cc55fcf8781fp-6, -0x1.7fac7be19f30dp-8,
+    -0x1.621df1a95d400p-10, -0x1.ff98fd5a90e77p-13, -0x1.ca074b9d6f13cp-15, -0x1.e47a2c2844819p-17,
+    -0x1.4fb2af45d7f0ep-19, -0x1.6c6f96ffc7ceap-22, -0x1.07d394480f45fp-24, -0x1.d9b8002a47ac4p-27,
+    -0x1.06a9c1bac7acdp-29, -0x1.6d068c9122abcp-33, -0x1.5d729cfb486c7p-35, -0x1.944e120709052p-36
+};
+GS_TABLE(gs_grown_balance_c12) = {
+    0x1.335c28db2bfabp-1, 0x1.8bc4f37b99b93p-5, 0x1.b09127e347f5cp-7, 0x1.0a0c1963d0f96p-8,
+    0x1.b2691d152516ep-11, 0x1.0ff0d7d666e37p-13, 0x1.ad9fbcb7fbed5p-16, 0x1.9694e1912582cp-18,
+    0x1.e69442fa0bd30p-21, 0x1.bec2c988a8c40p-24, 0x1.17ea6b4fe5067p-26, 0x1.bc4165527806bp-29,
+    0x1.b7caa566113d9p-32, 0x1.150f8127b13abp-35, 0x1.09b432f08b072p-39, 0x1.99cfd72d4a932p-40
+};
+GS_TABLE(gs_grown_balance_c13) = {
+    -0x1.c38494885e54bp+0, -0x1.4c57932a701a2p-5, -0x1.48a117ba190a3p-7, -0x1.711283bb783c0p-9,
+    -0x1.0a884a3dd1c32p-11, -0x1.212f7e88673dap-14, -0x1.9319098093887p-17, -0x1.554f4303ebc90p-19,
+    -0x1.60c16259be055p-22, -0x1.120cb592df1dfp-25, -0x1.2958e478befa8p-28, -0x1.9e90805473856p-31,
+    -0x1.5d9fafa0fed7dp-34, -0x1.c72633e0450f4p-38, -0x1.590e5a54a19afp-42, 0x1.8fd70e1718775p-47
+};
+GS_TABLE(gs_grown_balance_c14) = {
+    0x1.0c64b2b55798ep+3, 0x1.172126bb7d919p-5, 0x1.f36eb7f3733cfp-8, 0x1.000d5e217a97ap-9,
+    0x1.470b799cbcfa8p-12, 0x1.338c8c2541142p-15, 0x1.7a43ef9a2606cp-18, 0x1.1e916e3e909c8p-20,
+    0x1.ff4a190ec30c9p-24, 0x1.50371f0e5ee88p-27, 0x1.3c471b1253e29p-30, 0x1.84975937c1071p-33,
+    0x1.10ed548e7a3aap-36, 0x1.3ddb0ddbf8a2ap-40, 0x1.bd229ff17e3e1p-44, -0x1.1f6f7e52f4ae2p-47
+};
+GS_TABLE(gs_grown_balance_c15) = {
+    -0x1.00f30fadae3a2p+5, -0x1.d5008c4088378p-6, -0x1.7b99f8705ab86p-8, -0x1.635ed13299ebbp-10,
+    -0x1.9180b806ae104p-13, -0x1.47346336b5043p-16, -0x1.631372f5e5ae7p-19, -0x1.e1592a1382e69p-22,
+    -0x1.72d509fd56b5ep-25, -0x1.9ca87593716cep-29, -0x1.50816579ff9c4p-32, -0x1.6d3c14beac08bp-35,
+    -0x1.b0febd0a58085p-39, -0x1.88604fa0a08b1p-43, -0x1.621bdaff28e22p-46, -0x1.2d601b8975765p-51
+};
+GS_TABLE(gs_grown_balance_c16) = {
+    0x1.2e07807ac24afp+6, 0x1.8f0abfdb88317p-6, 0x1.2389ae260200ap-8, 0x1.f184c166af660p-11,
+    0x1.fa6f014aa80a3p-14, 0x1.6341ca230a3c9p-17, 0x1.529efd66ab397p-20, 0x1.996b01adce83dp-23,
+    0x1.175a798f68150p-26, 0x1.042de86f4b166p-30, 0x1.6d405ad246047p-34, 0x1.5c6fe666cb78dp-37,
+    0x1.6c21ebef7e8f3p-41, 0x1.f52da5936b60bp-46, 0x1.85dd1f4d1fe6dp-49, 0x1.83ec17ca1fd05p-52
+};
+GS_TABLE(gs_grown_balance_c17) = {
+    -0x1.417c3413460acp+6, -0x1.4f5b1e66fc2ebp-6, -0x1.bb543b225588bp-9, -0x1.595e8c8933f37p-11,
+    -0x1.36fa66ba5aa97p-14, -0x1.7a1927a335456p-18, -0x1.3dfa278b01551p-21, -0x1.57f960f6819d2p-24,
+    -0x1.955fa98ef6597p-28, -0x1.3f72fd31e1a6dp-32, -0x1.84a013a28a7cbp-36, -0x1.47069cd62c62bp-39,
+    -0x1.23cd747791bd3p-43, -0x1.4e87ab026161ep-48, -0x1.54c466dc9da29p-52, -0x1.00bbb599ab751p-54
+};
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_grown_balance_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_balance_centre, i));
+    const gs_v q17 = gs_pick(gs_grown_balance_c17, i);
+    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_grown_balance_c16, i));
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_grown_balance_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_grown_balance_c14, i));
+    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_grown_balance_c13, i));
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_balance_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_balance_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_balance_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_balance_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_balance_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_balance_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_balance_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_balance_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_balance_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_balance_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_balance_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_balance_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_balance_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_grown_balance_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_grown_balance_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* grown_balance, continued, on [7.5, 127.5): degree 13 on each of 16 pieces. */
+GS_TABLE(gs_grown_balance_tail_centre) = {
+    0x1.1000000000000p+3, 0x1.5000000000000p+3, 0x1.9000000000000p+3, 0x1.d000000000000p+3,
+    0x1.1800000000000p+4, 0x1.5800000000000p+4, 0x1.9800000000000p+4, 0x1.d800000000000p+4,
+    0x1.1c00000000000p+5, 0x1.5c00000000000p+5, 0x1.9c00000000000p+5, 0x1.dc00000000000p+5,
+    0x1.1e00000000000p+6, 0x1.5e00000000000p+6, 0x1.9e00000000000p+6, 0x1.de00000000000p+6
+};
+GS_TABLE(gs_grown_balance_tail_c0) = {
+    0x1.90d2aeabb0cebp+1, 0x1.ee8b920f3ac0ep+1, 0x1.26507f9e47458p+2, 0x1.5564e2c153258p+2,
+    0x1.9c066deeb5ff8p+2, 0x1.fa33bdcd6eda7p+2, 0x1.2c308b3390aa9p+3, 0x1.5b47379f1bf27p+3,
+    0x1.a1e93a419d9adp+3, 0x1.000b498d28a98p+4, 0x1.2f21f5f98287fp+4, 0x1.5e38a265dc666p+4,
+    0x1.a4daa50863340p+4, 0x1.0183fef08b787p+5, 0x1.309aab5ce556ep+5, 0x1.5fb157c93f355p+5
+};
+GS_TABLE(gs_grown_balance_tail_c0_lo) = {
+    -0x1.e7cb4daa217a6p-56, 0x1.910db1cd8fe4cp-54, 0x1.69d811923de7ep-52, 0x1.045f85b453549p-54,
+    -0x1.cacf64306bba3p-55, -0x1.af22153fcd6bbp-53, -0x1.0811d5c1efdf5p-52, 0x1.04e18d79bfef2p-52,
+    0x1.872e597e736c2p-51, -0x1.21d4ee27a2a2dp-52, -0x1.e1ed373b97780p-52, -0x1.2a4c893cfdcdbp-51,
+    0x1.3fdcc4e2e4051p-50, 0x1.068b7c94c4815p-50, 0x1.9a74688d4a4adp-51, 0x1.27d1d7f10b930p-51
+};
+GS_TABLE(gs_grown_balance_tail_c1) = {
+    0x1.75285693c5965p-2, 0x1.77f456e8e35d9p-2, 0x1.788fa3740da61p-2, 0x1.78ae6b3961cd8p-2,
+    0x1.78b4e0240ecbbp-2, 0x1.78b55fb65bef5p-2, 0x1.78b5634a60506p-2, 0x1.78b5636234b91p-2,
+    0x1.78b56362ce64ep-2, 0x1.78b56362cef37p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2,
+    0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2
+};
+GS_TABLE(gs_grown_balance_tail_c1_lo) = {
+    0x1.c9a8813b210a9p-56, -0x1.e9f736a5a29fap-56, 0x1.d295a0c722cc3p-58, 0x1.14f5cc539da3bp-56,
+    0x1.f8f9dfd824544p-56, 0x1.4ae72505c1539p-56, 0x1.9623a99553ffdp-61, 0x1.1ccf1221488bep-56,
+    -0x1.1bc62ef87bd32p-57, -0x1.84d7176a57d13p-56, -0x1.cba8479387121p-57, -0x1.ca8a63519623cp-57,
+    -0x1.ca8a42710e0e9p-57, -0x1.ca8a4270fadf5p-57, -0x1.ca8a4270fadf5p-57, -0x1.ca8a4270fadf5p-57
+};
+GS_TABLE(gs_grown_balance_tail_c2) = {
+    0x1.540c885afc560p-10, 0x1.3418f5a735b3ap-12, 0x1.f67f51dec5d78p-15, 0x1.7deac2f298fccp-17,
+    0x1.cef33e0570b93p-21, 0x1.a95065b8b4519p-26, 0x1.679437031edcep-31, 0x1.1f26db53a2fc1p-36,
+    0x1.0cec34e2b133fp-44, 0x1.1a1eb7536a4f2p-55, 0x1.12cc1babd7366p-66, 0x1.fc32a90a6a24dp-78,
+    0x1.212560e49ffebp-94, 0x1.9ad8f7ec7d339p-117, 0x1.103e4ad7be290p-139, 0x1.576e7d1f2ec1ep-162
+};
+GS_TABLE(gs_grown_balance_tail_c3) = {
+    -0x1.40d1c318ce2cap-12, -0x1.3d5b4384a7a94p-14, -0x1.10fe4d2e683cdp-16, -0x1.add653a494ad1p-19,
+    -0x1.0db67133176b1p-22, -0x1.fe0e5c10bd01bp-28, -0x1.b75427220cbccp-33, -0x1.63714aa851b0fp-38,
+    -0x1.516e5bd04762fp-46, -0x1.6639bd2e40b74p-57, -0x1.5fba6f318ca04p-68, -0x1.471be7abc8b32p-79,
+    -0x1.800bf1108d310p-96, -0x1.1301d8b053940p-118, -0x1.6e74d4db4cd03p-141, -0x1.d0228bced6475p-164
+};
+GS_TABLE(gs_grown_balance_tail_c4) = {
+    0x1.a165b4b29ab44p-15, 0x1.d520aa7e5d4b2p-17, 0x1.b1538df17222bp-19, 0x1.64915d816c55cp-21,
+    0x1.d273192bf7b4cp-25, 0x1.c7e0d61a9cf9cp-30, 0x1.90e3dc16685b7p-35, 0x1.48fedda8fd1f9p-40,
+    0x1.3cedea45b16d3p-48, 0x1.54baeded3e721p-59, 0x1.515df1984a8a4p-70, 0x1.3ba27755dbefep-81,
+    0x1.9a82b443045fap-98, 0x1.29e2beee742a1p-120, 0x1.9097b6f1753e3p-143, 0x1.fec6c8db942dbp-166
+};
+GS_TABLE(gs_grown_balance_tail_c5) = {
+    -0x1.783a117d91384p-18, -0x1.041668408a459p-19, -0x1.09a63d88111fep-21, -0x1.cf12da12d6a4cp-24,
+    -0x1.3eac1536f6106p-27, -0x1.43a43c276e123p-32, -0x1.234c5284a3c16p-37, -0x1.e5a51c2782bb8p-43,
+    -0x1.db4080c3ed9f8p-51, -0x1.02e97cf1d79bfp-61, -0x1.029ead6881875p-72, -0x1.e6f08a12c66d8p-84,
+    -0x1.2b751f6a4398fp-100, -0x1.b3047487ad585p-123, -0x1.24aa040557969p-145, -0x1.754ae7a8b0883p-168
+};
+GS_TABLE(gs_grown_balance_tail_c6) = {
+    0x1.9a3c677644b88p-22, 0x1.b136599a792a2p-23, 0x1.026b798529a03p-24, 0x1.e74522a8f7768p-27,
+    0x1.657027b39d856p-30, 0x1.7bd0bdc1dfaa0p-35, 0x1.5ef618e40c272p-40, 0x1.29a47b7c88d5cp-45,
+    0x1.28299fcf3e597p-53, 0x1.474ba98ac6c0fp-64, 0x1.49f1aae965b53p-75, 0x1.389fefe0d04c1p-86,
+    0x1.103115f885b25p-103, 0x1.82397b1892edbp-126, 0x1.ff094fded7e07p-149, 0x1.41d92f0145ac1p-171
+};
+GS_TABLE(gs_grown_balance_tail_c7) = {
+    -0x1.02e7c74b738d6p-30, -0x1.f9274e0912ed1p-27, -0x1.90040f6fe855ap-28, -0x1.a71fc91609cbap-30,
+    -0x1.51575f48c3ae6p-33, -0x1.7a753cd2ec266p-38, -0x1.685a302be3314p-43, -0x1.378154415600fp-48,
+    -0x1.3bd15c77873f7p-56, -0x1.625ec3b5a9342p-67, -0x1.68bcbd4d27adap-78, -0x1.5820b767a9a4cp-89,
+    -0x1.704fd94268769p-106, -0x1.0b99a8ab2b245p-128, -0x1.680b7f14ee754p-151, -0x1.cb294aff19a97p-174
+};
+GS_TABLE(gs_grown_balance_tail_c8) = {
+    -0x1.d19726ef41bb9p-29, 0x1.0c2acfcf19fd3p-31, 0x1.dc2f2be2678c1p-32, 0x1.3071dcdad3605p-33,
+    0x1.101f1f898ae1fp-36, 0x1.465371ec57b79p-41, 0x1.41a80ed642957p-46, 0x1.1c0e5c8bad7e2p-51,
+    0x1.2736238f7d9b9p-59, 0x1.50e6c39e5a81dp-70, 0x1.5aa4e60ea3a1ep-81, 0x1.4d2271d6d2956p-92,
+    0x1.59b4b1628b9bcp-108, 0x1.0514205fd4358p-130, 0x1.6885f4f375472p-153, 0x1.d4714c823a302p-176
+};
+GS_TABLE(gs_grown_balance_tail_c9) = {
+    0x1.ceb6d0924b144p-32, 0x1.a4174f711858ap-35, -0x1.7788f883a48c6p-36, -0x1.6547246e6724ep-37,
+    -0x1.7a646286f5dcbp-40, -0x1.ed9c9f47e9d64p-45, -0x1.faa08be8f1fbbp-50, -0x1.ca463d384b354p-55,
+    -0x1.e602dd8e6521fp-63, -0x1.1a1e2bcc255f9p-73, -0x1.2561f30ef22edp-84, -0x1.1c00deb4b8d99p-95,
+    -0x1.e372cc45d8b00p-112, -0x1.6cc6adede8a02p-134, -0x1.f768496823995p-157, -0x1.46e6a18e19baap-179
+};
+GS_TABLE(gs_grown_balance_tail_c10) = {
+    -0x1.1f07b3bf34c88p-36, -0x1.5eb6ac60f90dap-37, 0x1.4d98754ce100ep-44, 0x1.412fec0f2ac50p-41,
+    0x1.c5ba0a3487a1ap-44, 0x1.4a375d7496fe8p-48, 0x1.6369daee5a1afp-53, 0x1.4a43a9114d2e8p-58,
+    0x1.57954a01d6034p-66, 0x1.9457795bc2a2ep-77, 0x1.a7f3b44bcd893p-88, 0x1.9ca9600a2becep-99,
+    -0x1.eace79b908967p-117, -0x1.9f6cf136e0febp-139, -0x1.331af7c97ca39p-161, -0x1.a1a49536589bcp-184
+};
+GS_TABLE(gs_grown_balance_tail_c11) = {
+    -0x1.7acd4c0dc4651p-39, 0x1.009845000127cp-40, 0x1.12742f35f7e97p-43, -0x1.4fd2ea39c5fd1p-46,
+    -0x1.d0562f96b3ef3p-48, -0x1.8a534d34ed210p-52, -0x1.c1e5e1ac9c5d6p-57, -0x1.af5830e4b7fecp-62,
+    -0x1.d2ab85276ecd1p-70, -0x1.18820dd6fafc1p-80, -0x1.29ebe839225e2p-91, -0x1.248082ebabdf0p-102,
+    -0x1.d714f68308eb3p-125, 0x1.7fb82313d8164p-147, 0x1.2d0eb064321d6p-168, 0x1.114cfe20c0c4fp-190
+};
+GS_TABLE(gs_grown_balance_tail_c12) = {
+    0x1.4ba9d8fbd7500p-41, -0x1.48156e1be5806p-45, -0x1.1df1c32592612p-46, -0x1.76796c0e13ce6p-51,
+    0x1.891b8320a1b1ap-52, 0x1.b74f723d01708p-56, 0x1.107d85e304cdep-60, 0x1.1069ed8765c02p-65,
+    0x1.7b7492b9a13eep-73, 0x1.d9faf609dbc20p-84, 0x1.017a248a1be0fp-94, 0x1.009fb7ddc6a7cp-105,
+    0x1.6ffff1bd84b4ep-121, 0x1.1ba3d25911c6fp-143, 0x1.8cce4005363f6p-166, 0x1.0420c714dd079p-188
+};
+GS_TABLE(gs_grown_balance_tail_c13) = {
+    -0x1.f2e98437bdaa4p-45, -0x1.722130c20a2c6p-49, 0x1.5b7ce9178f89ep-50, 0x1.7b40a76962634p-53,
+    -0x1.d334af4f734b1p-57, -0x1.9d3161aed8400p-60, -0x1.19b96c6b8f4bcp-64, -0x1.25f122f3c19d5p-69,
+    -0x1.9c83517c918e0p-77, -0x1.079c4ac39ab8ap-87, -0x1.222b20de6e2a5p-98, -0x1.23ab21f409d25p-109,
+    -0x1.7e194d253f09ep-125, -0x1.283d3887097b9p-147, -0x1.9ffbaacd20233p-170, -0x1.116831ab82940p-192
+};
+
+/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
+static inline gs_v gs_grown_balance_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_balance_tail_centre, i));
+    const gs_v q13 = gs_pick(gs_grown_balance_tail_c13, i);
+    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_grown_balance_tail_c12, i));
+    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_grown_balance_tail_c11, i));
+    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_grown_balance_tail_c10, i));
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_grown_balance_tail_c9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_grown_balance_tail_c8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_grown_balance_tail_c7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_balance_tail_c6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_balance_tail_c5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_balance_tail_c4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_balance_tail_c3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_balance_tail_c2, i));
+    const gs_v c1 = gs_pick(gs_grown_balance_tail_c1, i);
+    const gs_v h = gs_mul(q2, d);
+    const gs_v t = gs_add(c1, h);
+    const gs_v t_rest = gs_rest(c1, h, t);
+    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_grown_balance_tail_c1_lo, i));
+    const gs_v p = gs_mul(d, t);
+    const gs_v p_rest = gs_product_rest(d, t, p);
+    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
+    const gs_v slope = gs_add(t, h);
+    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
+    const gs_v c0 = gs_pick(gs_grown_balance_tail_c0, i);
+    const gs_v s = gs_add(c0, p);
+    const gs_v s_rest = gs_rest(c0, p, s);
+    const gs_v s_lo = gs_add(p_all, gs_pick(gs_grown_balance_tail_c0_lo, i));
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v r = gs_add(s, e);
+    *lo = gs_rest(s, e, r);
+    return r;
+}
+
+/* w with w + log(w) = y, y from 0, on [0.0, 30.0): degree 13 on each of 16 pieces. */
+
+/* x in [0.0, 26.25) */
+static inline gs_v gs_phi1m_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_phi1m_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [26.25, 446.25) */
+static inline gs_v gs_phi1m_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_phi1m_tail_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [446.25, inf] */
+static inline gs_v gs_phi1m_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v r = y;
+    *lo = y_lo;
+    return r;
+}
+
+/* (1 - exp(-z))/z, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_phi1m_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+    other = gs_phi1m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+    other = gs_phi1m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* (1 - exp(-z))/z, of vectors inside the domain. */
+static inline gs_v gs_phi1m_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
+    const gs_v r = gs_phi1m_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_phi1m_rarely(x, x_lo, r, lo);
+}
+
+/* x in [0.0, 26.25) */
+static inline gs_v gs_phi2m_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_phi2m_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [26.25, 446.25) */
+static inline gs_v gs_phi2m_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_phi2m_tail_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [446.25, inf] */
+static inline gs_v gs_phi2m_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v square_h = gs_mul(y, y);
+    const gs_v square_e0 = gs_product_rest(y, y, square_h);
+    const gs_v square_e1 = gs_fma(y, y_lo, square_e0);
+    const gs_v square_e2 = gs_fma(y, y_lo, square_e1);
+    const gs_v square = gs_add(square_h, square_e2);
+    const gs_v square_lo = gs_rest(square_h, square_e2, square);
+    const gs_v minus = gs_mul(square, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v minus_lo = gs_mul(square_lo, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v f_s = gs_add(y, minus);
+    const gs_v f_rest = gs_sum_rest(y, minus, f_s);
+    const gs_v f_los = gs_add(y_lo, minus_lo);
+    const gs_v f_off = gs_add(f_rest, f_los);
+    const gs_v f = gs_add(f_s, f_off);
+    const gs_v f_lo = gs_rest(f_s, f_off, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* (z - 1 + exp(-z))/z^2, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_phi2m_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+    other = gs_phi2m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+    other = gs_phi2m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* (z - 1 + exp(-z))/z^2, of vectors inside the domain. */
+static inline gs_v gs_phi2m_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
+    const gs_v r = gs_phi2m_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_phi2m_rarely(x, x_lo, r, lo);
+}
+
+/* x in [0.0, 9.375) */
+static inline gs_v gs_descent_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_descent_factor_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [9.375, inf] */
+static inline gs_v gs_descent_factor_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v half = gs_mul(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_v half_lo = gs_mul(x_lo, gs_v_of(0x1.0000000000000p-1));
+    const gs_v f_s = gs_add(half, y);
+    const gs_v f_rest = gs_sum_rest(half, y, f_s);
+    const gs_v f_los = gs_add(half_lo, y_lo);
+    const gs_v f_off = gs_add(f_rest, f_los);
+    const gs_v f = gs_add(f_s, f_off);
+    const gs_v f_lo = gs_rest(f_s, f_off, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_descent_factor_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    (void)x_lo;
+    const gs_v r = x;
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+/* tau/p with tau - 1 + exp(-tau) = p^2/2, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_descent_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
+    other = gs_descent_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(INFINITY));
+    other = gs_descent_factor_range2_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* tau/p with tau - 1 + exp(-tau) = p^2/2, of vectors inside the domain. */
+static inline gs_v gs_descent_factor_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.2c00000000000p+3));
+    const gs_v r = gs_descent_factor_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_descent_factor_rarely(x, x_lo, r, lo);
+}
+
+/* x in [0.0, 15.0) */
+static inline gs_v gs_flight_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_flight_factor_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [15.0, 255.0) */
+static inline gs_v gs_flight_factor_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_flight_tail_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [255.0, inf] */
+static inline gs_v gs_flight_factor_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p-1));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v f_s = gs_add(y, gs_v_of(0x1.0000000000000p-1));
+    const gs_v f_rest = gs_sum_rest(y, gs_v_of(0x1.0000000000000p-1), f_s);
+    const gs_v f_off = gs_add(f_rest, y_lo);
+    const gs_v f = gs_add(f_s, f_off);
+    const gs_v f_lo = gs_rest(f_s, f_off, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* T/(2 b) with T = (1 + b)(1 - exp(-T)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_flight_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
+    other = gs_flight_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
+    other = gs_flight_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* T/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
+static inline gs_v gs_flight_factor_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+3));
+    const gs_v r = gs_flight_factor_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_flight_factor_rarely(x, x_lo, r, lo);
+}
+
+/* x in [0.0, 7.5) */
+static inline gs_v gs_range_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_range_factor_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [7.5, 127.5) */
+static inline gs_v gs_range_factor_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_range_tail_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [127.5, inf] */
+static inline gs_v gs_range_factor_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p-1));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v r = y;
+    *lo = y_lo;
+    return r;
+}
+
+/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_range_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+    other = gs_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+    other = gs_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
+static inline gs_v gs_range_factor_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
+    const gs_v r = gs_range_factor_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_range_factor_rarely(x, x_lo, r, lo);
+}
+
+/* a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* asin of best_sine, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* x in [0.0, 7.5) */
+static inline gs_v gs_max_range_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_max_range_factor_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [7.5, 5.896816288783659e+166) */
+static inline gs_v gs_max_range_factor_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v a_lo = x_lo;
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    gs_v half_part_lo;
+    const gs_v half_part = gs_log_near(half_m, &half_part_lo);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_rest = gs_sum_rest(half_whole, half_part, half_s);
+    const gs_v half_off = gs_fma(half_k, gs_v_of(0x1.ef35793c76730p-45), half_part_lo);
+    const gs_v half_e = gs_add(half_rest, half_off);
+    const gs_v half_ratio = gs_div(a_lo, a);
+    const gs_v half_all = gs_add(half_e, half_ratio);
+    const gs_v half = gs_add(half_s, half_all);
+    const gs_v half_lo = gs_rest(half_s, half_all, half);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v whole_lo = gs_mul(half_lo, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v less_rest = gs_sum_rest(whole, gs_v_of(-0x1.0000000000000p+0), less_s);
+    const gs_v less_off = gs_add(less_rest, whole_lo);
+    const gs_v less = gs_add(less_s, less_off);
+    const gs_v less_lo = gs_rest(less_s, less_off, less);
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_fma(c, z, less_lo);
+    const gs_v y = gs_add(less, off);
+    const gs_v y_lo = gs_rest(less, off, y);
+    gs_v w_lo;
+    const gs_v w = gs_omega_near_pair(y, y_lo, &w_lo);
+    const gs_v t_s = gs_add(w, gs_v_of(0x1.0000000000000p+1));
+    const gs_v t_rest = gs_sum_rest(w, gs_v_of(0x1.0000000000000p+1), t_s);
+    const gs_v t_off = gs_add(t_rest, w_lo);
+    const gs_v t = gs_add(t_s, t_off);
+    const gs_v t_lo = gs_rest(t_s, t_off, t);
+    const gs_v n_h = gs_mul(t, w);
+    const gs_v n_e0 = gs_product_rest(t, w, n_h);
+    const gs_v n_e1 = gs_fma(t, w_lo, n_e0);
+    const gs_v n_e2 = gs_fma(w, t_lo, n_e1);
+    const gs_v n = gs_add(n_h, n_e2);
+    const gs_v n_lo = gs_rest(n_h, n_e2, n);
+    const gs_v b = gs_min(a, gs_v_of(0x1.0000000000000p+500));
+    const gs_mask lost = gs_at_least(a, gs_v_of(0x1.0000000000000p+500));
+    const gs_v b_lo = gs_select(lost, gs_v_of(0x0.0p+0), a_lo);
+    const gs_v square_h = gs_mul(b, b);
+    const gs_v square_e0 = gs_product_rest(b, b, square_h);
+    const gs_v square_e1 = gs_fma(b, b_lo, square_e0);
+    const gs_v square_e2 = gs_fma(b, b_lo, square_e1);
+    const gs_v square = gs_add(square_h, square_e2);
+    const gs_v square_lo = gs_rest(square_h, square_e2, square);
+    const gs_v d_s = gs_add(square, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d_rest = gs_sum_rest(square, gs_v_of(-0x1.0000000000000p+0), d_s);
+    const gs_v d_off = gs_add(d_rest, square_lo);
+    const gs_v d = gs_add(d_s, d_off);
+    const gs_v d_lo = gs_rest(d_s, d_off, d);
+    const gs_v v_q = gs_div(n, d);
+    const gs_v v_e0 = gs_product_rest(v_q, d, n);
+    const gs_v v_e1 = gs_sub(n_lo, v_e0);
+    const gs_v v_e2 = gs_fnma(v_q, d_lo, v_e1);
+    const gs_v v_off = gs_div(v_e2, d);
+    const gs_v v = gs_add(v_q, v_off);
+    const gs_v v_lo = gs_rest(v_q, v_off, v);
+    const gs_v minus = gs_mul(v, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v minus_lo = gs_mul(v_lo, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v left_s = gs_add(minus, gs_v_of(0x1.0000000000000p+0));
+    const gs_v left_rest = gs_sum_rest(minus, gs_v_of(0x1.0000000000000p+0), left_s);
+    const gs_v left_off = gs_add(left_rest, minus_lo);
+    const gs_v left = gs_add(left_s, left_off);
+    const gs_v left_lo = gs_rest(left_s, left_off, left);
+    const gs_v top = gs_sqrt(left);
+    const gs_v top_e0 = gs_product_rest(top, top, left);
+    const gs_v top_e1 = gs_sub(top_e0, left_lo);
+    const gs_v top_twice = gs_fma(top, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v top_lo = gs_div(top_e1, top_twice);
+    const gs_v factor_q = gs_div(top, a);
+    const gs_v factor_e0 = gs_product_rest(factor_q, a, top);
+    const gs_v factor_e1 = gs_sub(top_lo, factor_e0);
+    const gs_v factor_e2 = gs_fnma(factor_q, a_lo, factor_e1);
+    const gs_v factor_off = gs_div(factor_e2, a);
+    const gs_v factor = gs_add(factor_q, factor_off);
+    const gs_v factor_lo = gs_rest(factor_q, factor_off, factor);
+    const gs_v r = factor;
+    *lo = factor_lo;
+    return r;
+}
+
+/* x in [5.896816288783659e+166, inf] */
+static inline gs_v gs_max_range_factor_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v q = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v q_e0 = gs_product_rest(q, a, gs_v_of(0x1.0000000000000p+0));
+    const gs_v q_e1 = gs_fma(q, x_lo, q_e0);
+    const gs_v minus = gs_mul(q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v r = gs_fma(minus, q_e1, q);
+    const gs_v back = gs_sub(q, r);
+    const gs_v off = gs_mul(minus, q_e1);
+    *lo = gs_add(back, off);
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_max_range_factor_range3_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    (void)x_lo;
+    const gs_v r = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_max_range_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
+    other = gs_max_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
+    other = gs_max_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+554)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(INFINITY));
+    other = gs_max_range_factor_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, of vectors inside the domain. */
+static inline gs_v gs_max_range_factor_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
+    const gs_v r = gs_max_range_factor_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_max_range_factor_rarely(x, x_lo, r, lo);
+}
+
+/* 1 + W0(-exp(-1 - x)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* 1 + W-1(-exp(-1 - x)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* W0(x): w exp(w) = x, w >= -1, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* W-1(x): w exp(w) = x, w <= -1; -inf at 0, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* x in [0.0, 640.0) */
+static inline gs_v gs_exp_minus_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v u = gs_fma(x, gs_v_of(0x1.71547652b82fep+4), gs_v_of(0x1.8000000000000p+52));
+    const gs_v k = gs_sub(u, gs_v_of(0x1.8000000000000p+52));
+    const gs_index j = gs_low_index(u);
+    const gs_v power = gs_power(u);
+    const gs_v t_hi = gs_product_rest(k, gs_v_of(0x1.62e42fefa0000p-5), x);
+    const gs_v t = gs_fma(k, gs_v_of(0x1.cf79abc9e3b3ap-44), t_hi);
+    const gs_v t_off = gs_sub(t_hi, t);
+    const gs_v t_lo = gs_fma(k, gs_v_of(0x1.cf79abc9e3b3ap-44), t_off);
+    const gs_v minus = gs_mul(x_lo, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v v = gs_add(t, minus);
+    const gs_v v_rest = gs_sum_rest(t, minus, v);
+    const gs_v v_lo = gs_add(t_lo, v_rest);
+    const gs_mask felt = gs_at_least(x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v base = gs_select(felt, v, gs_v_of(0x0.0p+0));
+    const gs_v square = gs_mul(base, base);
+    const gs_v q8 = gs_v_of(0x1.a01a01a01a01ap-16);
+    const gs_v q7 = gs_fma(q8, v, gs_v_of(0x1.a01a01a01a01ap-13));
+    const gs_v q6 = gs_fma(q7, v, gs_v_of(0x1.6c16c16c16c17p-10));
+    const gs_v q5 = gs_fma(q6, v, gs_v_of(0x1.1111111111111p-7));
+    const gs_v q4 = gs_fma(q5, v, gs_v_of(0x1.5555555555555p-5));
+    const gs_v q3 = gs_fma(q4, v, gs_v_of(0x1.5555555555555p-3));
+    const gs_v q2 = gs_fma(q3, v, gs_v_of(0x1.0000000000000p-1));
+    const gs_v h = gs_fma(square, q2, v_lo);
+    const gs_v c = gs_pick(gs_exp_minus_sixteenth, j);
+    const gs_v c_lo = gs_pick(gs_exp_minus_sixteenth_lo, j);
+    const gs_v p = gs_mul(c, v);
+    const gs_v p_rest = gs_product_rest(c, v, p);
+    const gs_v p_lo = gs_fma(c, h, p_rest);
+    const gs_v s = gs_add(c, p);
+    const gs_v s_rest = gs_rest(c, p, s);
+    const gs_v c_rest = gs_fma(c_lo, v, c_lo);
+    const gs_v s_lo = gs_add(p_lo, c_rest);
+    const gs_v e = gs_add(s_rest, s_lo);
+    const gs_v hi = gs_add(s, e);
+    const gs_v hi_lo = gs_rest(s, e, hi);
+    const gs_v r = gs_mul(hi, power);
+    *lo = gs_mul(hi_lo, power);
+    return r;
+}
+
+/* exp(-z), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* sin(x), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* cos(x), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* arctan(x), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* exp(-z) 2^m, m by exp_exponent; 0 from 2^15 on, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* the integer m by which exp_mantissa scales, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+/* x in [0.0, 7.5) */
+static inline gs_v gs_range_loss_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v g_lo;
+    const gs_v g = gs_grown_loss_near_pair(x, x_lo, &g_lo);
+    const gs_v more_s = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_v more_rest = gs_sum_rest(x, gs_v_of(0x1.0000000000000p+0), more_s);
+    const gs_v more_off = gs_add(more_rest, x_lo);
+    const gs_v more = gs_add(more_s, more_off);
+    const gs_v more_lo = gs_rest(more_s, more_off, more);
+    const gs_v square_h = gs_mul(more, more);
+    const gs_v square_e0 = gs_product_rest(more, more, square_h);
+    const gs_v square_e1 = gs_fma(more, more_lo, square_e0);
+    const gs_v square_e2 = gs_fma(more, more_lo, square_e1);
+    const gs_v square = gs_add(square_h, square_e2);
+    const gs_v square_lo = gs_rest(square_h, square_e2, square);
+    const gs_v f_q = gs_div(g, square);
+    const gs_v f_e0 = gs_product_rest(f_q, square, g);
+    const gs_v f_e1 = gs_sub(g_lo, f_e0);
+    const gs_v f_e2 = gs_fnma(f_q, square_lo, f_e1);
+    const gs_v f_off = gs_div(f_e2, square);
+    const gs_v f = gs_add(f_q, f_off);
+    const gs_v f_lo = gs_rest(f_q, f_off, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [7.5, 127.5) */
+static inline gs_v gs_range_loss_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v g_lo;
+    const gs_v g = gs_grown_loss_tail_near_pair(x, x_lo, &g_lo);
+    const gs_v more_s = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_v more_rest = gs_sum_rest(x, gs_v_of(0x1.0000000000000p+0), more_s);
+    const gs_v more_off = gs_add(more_rest, x_lo);
+    const gs_v more = gs_add(more_s, more_off);
+    const gs_v more_lo = gs_rest(more_s, more_off, more);
+    const gs_v square_h = gs_mul(more, more);
+    const gs_v square_e0 = gs_product_rest(more, more, square_h);
+    const gs_v square_e1 = gs_fma(more, more_lo, square_e0);
+    const gs_v square_e2 = gs_fma(more, more_lo, square_e1);
+    const gs_v square = gs_add(square_h, square_e2);
+    const gs_v square_lo = gs_rest(square_h, square_e2, square);
+    const gs_v f_q = gs_div(g, square);
+    const gs_v f_e0 = gs_product_rest(f_q, square, g);
+    const gs_v f_e1 = gs_sub(g_lo, f_e0);
+    const gs_v f_e2 = gs_fnma(f_q, square_lo, f_e1);
+    const gs_v f_off = gs_div(f_e2, square);
+    const gs_v f = gs_add(f_q, f_off);
+    const gs_v f_lo = gs_rest(f_q, f_off, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [127.5, inf] */
+static inline gs_v gs_range_loss_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v half = gs_mul(y, gs_v_of(0x1.0000000000000p-1));
+    const gs_v half_lo = gs_mul(y_lo, gs_v_of(0x1.0000000000000p-1));
+    const gs_v f_h = gs_mul(half, y);
+    const gs_v f_e0 = gs_product_rest(half, y, f_h);
+    const gs_v f_e1 = gs_fma(half, y_lo, f_e0);
+    const gs_v f_e2 = gs_fma(y, half_lo, f_e1);
+    const gs_v f = gs_add(f_h, f_e2);
+    const gs_v f_lo = gs_rest(f_h, f_e2, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* the slope of range_factor, negative, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_range_loss_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+    other = gs_range_loss_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+    other = gs_range_loss_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* the slope of range_factor, negative, of vectors inside the domain. */
+static inline gs_v gs_range_loss_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
+    const gs_v r = gs_range_loss_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_range_loss_rarely(x, x_lo, r, lo);
+}
+
+/* x in [0.0, 7.5) */
+static inline gs_v gs_grown_balance_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_grown_balance_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [7.5, 127.5) */
+static inline gs_v gs_grown_balance_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    gs_v f_lo;
+    const gs_v f = gs_grown_balance_tail_near_pair(x, x_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [127.5, inf] */
+static inline gs_v gs_grown_balance_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v e = gs_v_of(0x1.78b56362cef38p-2);
+    const gs_v e_lo = gs_v_of(-0x1.ca8a4270fadf5p-57);
+    const gs_v f_h = gs_mul(x, e);
+    const gs_v f_e0 = gs_product_rest(x, e, f_h);
+    const gs_v f_e1 = gs_fma(x, e_lo, f_e0);
+    const gs_v f_e2 = gs_fma(e, x_lo, f_e1);
+    const gs_v f = gs_add(f_h, f_e2);
+    const gs_v f_lo = gs_rest(f_h, f_e2, f);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [inf, inf] */
+static inline gs_v gs_grown_balance_range3_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    (void)x_lo;
+    const gs_v r = x;
+    *lo = gs_v_of(0x0.0p+0);
+    return r;
+}
+
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_grown_balance_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+    other = gs_grown_balance_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+    other = gs_grown_balance_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(INFINITY));
+    other = gs_grown_balance_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
+static inline gs_v gs_grown_balance_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
+    const gs_v r = gs_grown_balance_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_grown_balance_rarely(x, x_lo, r, lo);
+}
+
+/* x in [0.28125, 1.2676506002282294e+30) */
+static inline gs_v gs_acot_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    gs_v f_lo;
+    const gs_v f = gs_arctangent_near_pair(y, y_lo, &f_lo);
+    const gs_v r = f;
+    *lo = f_lo;
+    return r;
+}
+
+/* x in [0.0, 0.28125) */
+static inline gs_v gs_acot_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask felt = gs_at_least(x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v y = gs_select(felt, x, gs_v_of(0x0.0p+0));
+    const gs_v y_lo = gs_select(felt, x_lo, gs_v_of(0x0.0p+0));
+    gs_v f_lo;
+    const gs_v f = gs_arctangent_near_pair(y, y_lo, &f_lo);
+    const gs_v minus = gs_mul(f, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v minus_lo = gs_mul(f_lo, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v right = gs_v_of(0x1.921fb54442d18p+0);
+    const gs_v right_lo = gs_v_of(0x1.1a62633145c07p-54);
+    const gs_v a_s = gs_add(right, minus);
+    const gs_v a_rest = gs_sum_rest(right, minus, a_s);
+    const gs_v a_los = gs_add(right_lo, minus_lo);
+    const gs_v a_off = gs_add(a_rest, a_los);
+    const gs_v a = gs_add(a_s, a_off);
+    const gs_v a_lo = gs_rest(a_s, a_off, a);
+    const gs_v r = a;
+    *lo = a_lo;
+    return r;
+}
+
+/* x in [1.2676506002282294e+30, inf] */
+static inline gs_v gs_acot_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_e0 = gs_product_rest(y_q, y_finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_e1 = gs_fma(y_q, x_lo, y_e0);
+    const gs_v y_minus = gs_mul(y_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v y_off = gs_mul(y_minus, y_e1);
+    const gs_v y = gs_add(y_q, y_off);
+    const gs_v y_lo = gs_rest(y_q, y_off, y);
+    const gs_v r = y;
+    *lo = y_lo;
+    return r;
+}
+
+/* the angle in [0, pi/2] whose cotangent is x, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+static GS_RARE gs_v gs_acot_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
+{
+    gs_mask here;
+    gs_v other, rest;
+    here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
+    other = gs_acot_range1_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
+    other = gs_acot_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+100)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+    r = gs_select(here, other, r);
+    *lo = gs_select(here, rest, *lo);
+    return r;
+}
+
+/* the angle in [0, pi/2] whose cotangent is x, of vectors inside the domain. */
+static inline gs_v gs_acot_lanes(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_mask here = gs_within(x, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
+    const gs_v r = gs_acot_range0_pair(gs_select(here, x, gs_v_of(0x1.2000000000000p-2)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
+    return gs_all(here) ? r : gs_acot_rarely(x, x_lo, r, lo);
+}
+
+/* w with w + log(w) = y, y below 2^17, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
+#if GS_LANES == 1
+#endif
+
+#endif
+
+typedef struct {
+    gs_v hi, lo;
+} gs_vp;
+
+/* Sine and cosine of |theta|, and what has the sign of theta. */
+typedef struct {
+    gs_vp s, c;
+    gs_v sign;
+} gs_turn;
+
+static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)m; }
+static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a || b; }
+static inline gs_mask gs_not(gs_mask a) { return !a; }
+
+/* The first of `count` numbers and copies of the last, a vector in all. */
+static inline const double *gs_padded(double *pad, const double *x, size_t count)
+{
+    for (size_t j = 0; j < GS_LANES; j++)
+        pad[j] = x[j < count ? j : count - 1];
+    return pad;
+}
+
+/* Whether least <= x <= greatest; or 0, too. */
+static inline gs_mask gs_between(gs_v x, double least, double greatest)
+{
+    return gs_both(gs_at_least(x, gs_v_of(least)), gs_at_least(gs_v_of(greatest), x));
+}
+
+static inline gs_mask gs_between_or_0(gs_v x, double least, double greatest)
+{
+    const gs_v zero = gs_v_of(0.0);
+    return gs_either(gs_between(x, least, greatest), gs_both(gs_at_least(x, zero), gs_at_least(zero, x)));
+}
+
+static inline gs_vp gs_vp_of(gs_v hi, gs_v lo)
+{
+    const gs_vp r = {hi, lo};
+    return r;
+}
+
+/* a + b as a pair, where |a| >= |b| or a = 0. */
+static inline gs_vp gs_vp_sum(gs_v a, gs_v b)
+{
+    const gs_v s = gs_add(a, b);
+    return gs_vp_of(s, gs_rest(a, b, s));
+}
+
+static inline gs_vp gs_vp_load(gs_v x) { return gs_vp_of(x, gs_v_of(0.0)); }
+static inline gs_vp gs_vp_constant(double x) { return gs_vp_of(gs_v_of(x), gs_v_of(0.0)); }
+
+static inline gs_vp gs_vp_mul(gs_vp a, gs_vp b)
+{
+    const gs_v p = gs_mul(a.hi, b.hi);
+    return gs_vp_sum(p, gs_fma(a.hi, b.lo, gs_fma(a.lo, b.hi, gs_product_rest(a.hi, b.hi, p))));
+}
+
+/* One division: what the product with 1/b leaves is exact enough to be mended by it. */
+static inline gs_vp gs_vp_div(gs_vp a, gs_vp b)
+{
+    const gs_v inverse = gs_div(gs_v_of(1.0), b.hi);
+    const gs_v q = gs_mul(a.hi, inverse);
+    const gs_v rest = gs_fnma(q, b.lo, gs_add(gs_fnma(q, b.hi, a.hi), a.lo));
+    return gs_vp_sum(q, gs_mul(rest, inverse));
+}
+
+static inline gs_vp gs_vp_sqrt(gs_vp a)
+{
+    const gs_v s = gs_sqrt(a.hi);
+    const gs_v rest = gs_add(gs_fnma(s, s, a.hi), a.lo);
+    return gs_vp_sum(s, gs_div(rest, gs_add(s, s)));
+}
+
+static inline gs_vp gs_vp_add(gs_vp a, gs_vp b)
+{
+    const gs_v s = gs_add(a.hi, b.hi), t = gs_add(a.lo, b.lo);
+    const gs_vp first = gs_vp_sum(s, gs_add(gs_sum_rest(a.hi, b.hi, s), t));
+    return gs_vp_sum(first.hi, gs_add(first.lo, gs_sum_rest(a.lo, b.lo, t)));
+}
+
+static inline gs_vp gs_vp_sub(gs_vp a, gs_vp b)
+{
+    const gs_v minus = gs_v_of(-1.0);
+    return gs_vp_add(a, gs_vp_of(gs_mul(b.hi, minus), gs_mul(b.lo, minus)));
+}
+
+static inline gs_vp gs_vp_scaled(gs_vp a, double unit)
+{
+    return gs_vp_of(gs_mul(a.hi, gs_v_of(unit)), gs_mul(a.lo, gs_v_of(unit)));
+}
+
+static inline gs_vp gs_vp_phi1m(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_phi1m_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+static inline gs_vp gs_vp_phi2m(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_phi2m_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+static inline gs_vp gs_vp_descent_factor(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_descent_factor_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+static inline gs_vp gs_vp_flight_factor(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_flight_factor_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+static inline gs_vp gs_vp_range_factor(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_range_factor_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+static inline gs_vp gs_vp_range_loss(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_range_loss_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+static inline gs_vp gs_vp_grown_balance(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_grown_balance_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+static inline gs_vp gs_vp_max_range_factor(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_max_range_factor_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+static inline gs_vp gs_vp_acot(gs_vp x)
+{
+    gs_vp r;
+    r.hi = gs_acot_lanes(x.hi, x.lo, &r.lo);
+    return r;
+}
+
+#define GS_QUARTER_TURN 0x1.921fb54442d18p-1
+#define GS_HALF_TURN_0 0x1.921fb54442d18p+0
+#define GS_HALF_TURN_1 0x1.1a62633145c07p-54
+#define GS_HALF_TURN_2 -0x1.f1976b7ed8fbcp-110
+#define GS_TURN_STEP 0x1.a000000000000p-5
+#define GS_TURNS_A_RADIAN 0x1.3b13b13b13b14p+4
+/* Sine and cosine of 0 to 15 steps. */
+GS_TABLE(gs_turn_sine) = {
+    0x0.0p+0, 0x1.9fd23c2d680dfp-5, 0x1.9f4902d55d1f9p-4, 0x1.36cb67bae7e52p-3,
+    0x1.9d252d0cec312p-3, 0x1.013721ea7b3e5p-2, 0x1.3331e94049f87p-2, 0x1.6461efcaec077p-2,
+    0x1.94a6be9f546c5p-2, 0x1.c3e07a11b2c6ep-2, 0x1.f1eff6bc4f97bp-2, 0x1.0f5b670908515p-1,
+    0x1.250bb93788bbbp-1, 0x1.39faa14d08f31p-1, 0x1.4e1a4e54ed51bp-1, 0x1.615d78210faddp-1
+};
+GS_TABLE(gs_turn_sine_lo) = {
+    0x0.0p+0, -0x1.70b1a2ba5f590p-60, 0x1.2696d7eac1dc1p-58, -0x1.2b58c9385fe0dp-59,
+    0x1.9c43d80b1137dp-58, 0x1.10fa1d5106315p-56, 0x1.e0cb6b40c302cp-56, -0x1.94dc7178bd734p-56,
+    -0x1.69ce13e683f58p-56, -0x1.76c26153de447p-57, 0x1.17212f8a7525cp-56, 0x1.a7ed13e5fbb05p-56,
+    0x1.ea3d02457bccep-56, -0x1.cd164b88ce902p-57, -0x1.a492f89b7c76ap-55, -0x1.e3827d0c03315p-56
+};
+GS_TABLE(gs_turn_cosine) = {
+    0x1.0000000000000p+0, 0x1.ff57094be0f62p-1, 0x1.fd5c94b43e000p-1, 0x1.fa11f07dab019p-1,
+    0x1.f57948cff6797p-1, 0x1.ef95a647176b9p-1, 0x1.e86aebf29a9edp-1, 0x1.dffdd4c4e17bep-1,
+    0x1.d653f073e4040p-1, 0x1.cb739fcd8563cp-1, 0x1.bf641081e7536p-1, 0x1.b22d3866838c8p-1,
+    0x1.a3d7d0352bdcfp-1, 0x1.946d4dca688fcp-1, 0x1.83f7dde701ca0p-1, 0x1.72825d78d2dd2p-1
+};
+GS_TABLE(gs_turn_cosine_lo) = {
+    0x0.0p+0, 0x1.780a6d6b9aac9p-55, -0x1.2e768cb4f92f9p-57, 0x1.4c36f0cfac1a2p-55,
+    0x1.e3a0d3e03b1d4p-57, -0x1.a2aefc066f251p-55, 0x1.9397afdbb58a7p-55, 0x1.51415af290396p-55,
+    -0x1.76236434bec37p-55, -0x1.7e793b55ea6a2p-55, 0x1.b7bd71628a9a1p-55, -0x1.6e9a5f4ff5b7dp-59,
+    -0x1.68dbaeca19669p-55, 0x1.02c6f2978af1dp-55, -0x1.152cf609bc6e8p-59, -0x1.5c7ee90b400a9p-55
+};
+/* Sine and cosine by the nearest of 16 angles up to pi/4, about 2^-62 relative. */
+static inline gs_turn gs_vp_angle(gs_v theta)
+{
+    const gs_v size = gs_abs(theta), zero = gs_v_of(0.0), big = gs_v_of(0x1.8p+52);
+    const gs_mask far = gs_at_least(size, gs_v_of(GS_QUARTER_TURN));
+    const gs_v left = gs_sub(gs_v_of(GS_HALF_TURN_0), size);
+    const gs_v y = gs_add(left, gs_v_of(GS_HALF_TURN_1));
+    const gs_v y_lo = gs_add(gs_sum_rest(left, gs_v_of(GS_HALF_TURN_1), y), gs_v_of(GS_HALF_TURN_2));
+    const gs_v x = gs_select(far, y, size), x_lo = gs_select(far, y_lo, zero);
+    const gs_v u = gs_fma(x, gs_v_of(GS_TURNS_A_RADIAN), big);
+    const gs_index i = gs_low_index(u);
+    const gs_v d = gs_fnma(gs_sub(u, big), gs_v_of(GS_TURN_STEP), x);
+    const gs_v s = gs_pick(gs_turn_sine, i), s_lo = gs_pick(gs_turn_sine_lo, i);
+    const gs_v c = gs_pick(gs_turn_cosine, i), c_lo = gs_pick(gs_turn_cosine_lo, i);
+    const gs_v q = gs_fma(d, d, gs_mul(gs_add(d, d), x_lo));
+    gs_v more = gs_fma(q, gs_v_of(0x1.71de3a556c734p-19), gs_v_of(-0x1.a01a01a01a01ap-13));
+    more = gs_fma(more, q, gs_v_of(0x1.1111111111111p-7));
+    more = gs_mul(gs_fma(more, q, gs_v_of(-0x1.5555555555555p-3)), q);
+    const gs_v over = gs_fma(d, more, x_lo); /* sin(d + x_lo) - d */
+    gs_v less = gs_fma(q, gs_v_of(0x1.a01a01a01a01ap-16), gs_v_of(-0x1.6c16c16c16c17p-10));
+    less = gs_fma(less, q, gs_v_of(0x1.5555555555555p-5));
+    less = gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q); /* cos(d + x_lo) - 1 */
+    const gs_v p = gs_mul(c, d), m = gs_mul(s, d);
+    const gs_v h = gs_add(s, p), k = gs_sub(c, m);
+    const gs_v h_lo = gs_add(gs_rest(s, p, h), gs_product_rest(c, d, p));
+    const gs_v k_lo = gs_sub(gs_sub(gs_sub(c, k), m), gs_product_rest(s, d, m));
+    const gs_v h_more = gs_fma(s, less, gs_fma(c, over, gs_fma(c_lo, d, s_lo)));
+    const gs_v k_more = gs_fma(c, less, gs_fnma(s, over, gs_fnma(s_lo, d, c_lo)));
+    const gs_vp sine = gs_vp_sum(h, gs_add(h_lo, h_more)), cosine = gs_vp_sum(k, gs_add(k_lo, k_more));
+    const gs_turn r = {
+        {gs_select(far, cosine.hi, sine.hi), gs_select(far, cosine.lo, sine.lo)},
+        {gs_select(far, sine.hi, cosine.hi), gs_select(far, sine.lo, cosine.lo)},
+        theta,
+    };
+    return r;
+}
+
+static inline gs_vp gs_vp_sine(gs_turn a) { return gs_vp_of(gs_flip(a.s.hi, a.sign), gs_flip(a.s.lo, a.sign)); }
+static inline gs_vp gs_vp_cosine(gs_turn a) { return a.c; }
+
+/* cos(theta) - mu sin(|theta|), where it is 2^-5 of the cosine or more; 1 where friction holds the bead. */
+static inline gs_vp gs_vp_driving(gs_turn a, gs_vp mu, gs_mask *good, gs_mask *held)
+{
+    const gs_vp n = gs_vp_sub(a.c, gs_vp_mul(mu, a.s));
+    const gs_v one = gs_v_of(1.0), zero = gs_v_of(0.0);
+    const gs_mask clear = gs_at_least(gs_abs(n.hi), gs_mul(a.c.hi, gs_v_of(0x1p-5)));
+    const gs_mask moves = gs_both(clear, gs_less(zero, n.hi));
+    *good = gs_both(*good, clear);
+    *held = gs_not(moves);
+    return gs_vp_of(gs_select(moves, n.hi, one), gs_select(moves, n.lo, zero));
+}
+
+/* exp(-z), z below 512 */
+static inline gs_vp gs_vp_phi0m(gs_vp z, gs_mask *good)
+{
+    const gs_mask here = gs_less(z.hi, gs_v_of(512.0));
+    gs_vp r;
+    *good = gs_both(*good, here);
+    r.hi = gs_exp_minus_range0_pair(gs_select(here, z.hi, gs_v_of(0.0)), gs_select(here, z.lo, gs_v_of(0.0)), &r.lo);
+    return r;
+}
+
+/* b exp(-T)/(T - b), T = (1 + b)(1 - exp(-T)): exp(-b) times what grows like b/e. */
+static inline gs_vp gs_vp_range_balance(gs_vp b, gs_mask *good)
+{
+    return gs_vp_mul(gs_vp_phi0m(b, good), gs_vp_grown_balance(b));
+}
+
+#endif
+#ifndef GALILEO_SCALED_H
+#define GALILEO_SCALED_H
+
+/* The formulas on scaled pairs: for single numbers of any size, where the forms on vectors do not serve. */
+double gs_scaled_chord_descent_time_free(double theta, double diameter, double g);
+double gs_scaled_chord_descent_time_friction(double theta, double diameter, double g, double mu);
+double gs_scaled_chord_descent_time_drag(double theta, double diameter, double g, double gamma);
+double gs_scaled_chord_descent_time_friction_drag(double theta, double diameter, double g, double mu, double gamma);
+double gs_scaled_chord_distance_free(double t, double theta, double g);
+double gs_scaled_chord_distance_friction(double t, double theta, double g, double mu);
+double gs_scaled_chord_distance_drag(double t, double theta, double g, double gamma);
+double gs_scaled_chord_distance_friction_drag(double t, double theta, double g, double mu, double gamma);
+double gs_scaled_chord_speed_free(double t, double theta, double g);
+double gs_scaled_chord_speed_friction(double t, double theta, double g, double mu);
+double gs_scaled_chord_speed_drag(double t, double theta, double g, double gamma);
+double gs_scaled_chord_speed_friction_drag(double t, double theta, double g, double mu, double gamma);
+void gs_scaled_chord_position_free(double t, double theta, double g, double *x, double *y);
+void gs_scaled_chord_position_friction(double t, double theta, double g, double mu, double *x, double *y);
+void gs_scaled_chord_position_drag(double t, double theta, double g, double gamma, double *x, double *y);
+void gs_scaled_chord_position_friction_drag(double t, double theta, double g, double mu, double gamma, double *x, double *y);
+void gs_scaled_chord_synchronous_circle_free(double t, double g, double *X, double *Y, double *R);
+void gs_scaled_chord_synchronous_circle_friction(double t, double g, double mu, double *X, double *Y, double *R);
+void gs_scaled_chord_synchronous_circle_drag(double t, double g, double gamma, double *X, double *Y, double *R);
+void gs_scaled_chord_synchronous_circle_friction_drag(double t, double g, double mu, double gamma, double *X, double *Y, double *R);
+double gs_scaled_chord_max_angle(double mu);
+double gs_scaled_projectile_flight_time_free(double theta, double v, double g);
+double gs_scaled_projectile_flight_time_drag(double theta, double v, double g, double k);
+double gs_scaled_projectile_horizontal_range_free(double theta, double v, double g);
+double gs_scaled_projectile_horizontal_range_drag(double theta, double v, double g, double k);
+void gs_scaled_projectile_position_free(double t, double theta, double v, double g, double *x, double *y);
+void gs_scaled_projectile_position_drag(double t, double theta, double v, double g, double k, double *x, double *y);
+void gs_scaled_projectile_velocity_free(double t, double theta, double v, double g, double *vx, double *vy);
+void gs_scaled_projectile_velocity_drag(double t, double theta, double v, double g, double k, double *vx, double *vy);
+double gs_scaled_projectile_range_slope_theta_free(double theta, double v, double g);
+double gs_scaled_projectile_range_slope_theta_drag(double theta, double v, double g, double k);
+double gs_scaled_projectile_range_slope_k_free(double theta, double v, double g);
+double gs_scaled_projectile_range_slope_k_drag(double theta, double v, double g, double k);
+double gs_scaled_projectile_max_range_free(double v, double g);
+double gs_scaled_projectile_max_range_drag(double v, double g, double k);
+
+#endif
+
+/* stable.chord.descent_time.free, the stable form of chord.eq4.
+ * Operations: 1 div, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, double *time_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            diameter_in = gs_padded(pad[1], diameter_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v diameter_here = gs_v_load(diameter_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
+        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
+        gs_v time_here = (t0).hi;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_free(theta_in[j], diameter_in[j], g_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], time_here);
+            memcpy(time_out, pad[3], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.free, the stable form of chord.eq4.
+ * Operations: 1 div, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double *time_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
+        gs_v time_here = (t0).hi;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_free(theta_in[j], diameter_in, g_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
+ * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *mu_in, double *time_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            diameter_in = gs_padded(pad[1], diameter_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            mu_in = gs_padded(pad[3], mu_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v diameter_here = gs_v_load(diameter_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (t0).hi);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[j], diameter_in[j], g_in[j], mu_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
+ * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double *time_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (t0).hi);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[j], diameter_in, g_in, mu_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.drag, the stable form of chord.eq36.
+ * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *gamma_in, double *time_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            diameter_in = gs_padded(pad[1], diameter_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            gamma_in = gs_padded(pad[3], gamma_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v diameter_here = gs_v_load(diameter_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
+        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
+        const gs_vp p = gs_vp_mul(gamma, t0);
+        gs_v time_here = (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[j], diameter_in[j], g_in[j], gamma_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.drag, the stable form of chord.eq36.
+ * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double gamma_in, double *time_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
+    const gs_vp p = gs_vp_mul(gamma, t0);
+    const gs_vp once1 = gs_vp_mul(t0, gs_vp_descent_factor(p));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
+        gs_v time_here = (once1).hi;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[j], diameter_in, g_in, gamma_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
+ * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *mu_in, const double *gamma_in, double *time_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            diameter_in = gs_padded(pad[1], diameter_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            mu_in = gs_padded(pad[3], mu_in, here);
+            gamma_in = gs_padded(pad[4], gamma_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v diameter_here = gs_v_load(diameter_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
+        const gs_vp p = gs_vp_mul(gamma, t0);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[j], diameter_in[j], g_in[j], mu_in[j], gamma_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[5], time_here);
+            memcpy(time_out, pad[5], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
+ * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double gamma_in, double *time_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
+        const gs_vp p = gs_vp_mul(gamma, t0);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[j], diameter_in, g_in, mu_in, gamma_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.free, the stable form of chord.eq1.
+ * Operations: 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *distance_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v distance_here = (gs_vp_scaled(gs_vp_mul(fall, C), 0.5)).hi;
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], theta_in[j], g_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], distance_here);
+            memcpy(distance_out, pad[3], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.free, the stable form of chord.eq1.
+ * Operations: 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *distance_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v distance_here = (gs_vp_scaled(gs_vp_mul(fall, C), 0.5)).hi;
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], theta_in[j], g_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *distance_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            mu_in = gs_padded(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(fall, n), 0.5)).hi);
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], theta_in[j], g_in[j], mu_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], distance_here);
+            memcpy(distance_out, pad[4], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *distance_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(fall, n), 0.5)).hi);
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], theta_in[j], g_in, mu_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.drag, the stable form of chord.eq29.
+ * Operations: 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *distance_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            gamma_in = gs_padded(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        gs_v distance_here = (gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z))).hi;
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], distance_here);
+            memcpy(distance_out, pad[4], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.drag, the stable form of chord.eq29.
+ * Operations: 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *distance_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        gs_v distance_here = (gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z))).hi;
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], theta_in[j], g_in, gamma_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *distance_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            mu_in = gs_padded(pad[3], mu_in, here);
+            gamma_in = gs_padded(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))).hi);
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[5], distance_here);
+            memcpy(distance_out, pad[5], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *distance_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))).hi);
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.free, the stable form of chord.eq1.
+ * Operations: 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *speed_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v speed_here = (gs_vp_mul(gs_vp_mul(t, g), C)).hi;
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], theta_in[j], g_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], speed_here);
+            memcpy(speed_out, pad[3], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.free, the stable form of chord.eq1.
+ * Operations: 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *speed_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v speed_here = (gs_vp_mul(gs_vp_mul(t, g), C)).hi;
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], theta_in[j], g_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *speed_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            mu_in = gs_padded(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(t, g), n)).hi);
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], theta_in[j], g_in[j], mu_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], speed_here);
+            memcpy(speed_out, pad[4], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *speed_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(t, g), n)).hi);
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], theta_in[j], g_in, mu_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.drag, the stable form of chord.eq29.
+ * Operations: 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *speed_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            gamma_in = gs_padded(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        gs_v speed_here = (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z))).hi;
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], speed_here);
+            memcpy(speed_out, pad[4], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.drag, the stable form of chord.eq29.
+ * Operations: 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *speed_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        gs_v speed_here = (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z))).hi;
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], theta_in[j], g_in, gamma_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *speed_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            mu_in = gs_padded(pad[3], mu_in, here);
+            gamma_in = gs_padded(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))).hi);
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[5], speed_here);
+            memcpy(speed_out, pad[5], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *speed_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))).hi);
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
+ * Operations: 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *x_out, double *y_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp shared = gs_vp_mul(fall, C);
+        const gs_vp S = gs_vp_sine(a);
+        gs_v x_here = (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi;
+        gs_v y_here = (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi;
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_free(t_in[j], theta_in[j], g_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], x_here);
+            memcpy(x_out, pad[3], here * sizeof *x_out);
+            gs_v_store(pad[4], y_here);
+            memcpy(y_out, pad[4], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
+ * Operations: 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *x_out, double *y_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp shared = gs_vp_mul(fall, C);
+        const gs_vp S = gs_vp_sine(a);
+        gs_v x_here = (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi;
+        gs_v y_here = (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi;
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_free(t_in[j], theta_in[j], g_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_store(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *x_out, double *y_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            mu_in = gs_padded(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp shared = gs_vp_mul(fall, n);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi);
+        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction(t_in[j], theta_in[j], g_in[j], mu_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_store(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *x_out, double *y_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp shared = gs_vp_mul(fall, n);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi);
+        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction(t_in[j], theta_in[j], g_in, mu_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_store(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
+ * Operations: 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *x_out, double *y_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            gamma_in = gs_padded(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
+        const gs_vp S = gs_vp_sine(a);
+        gs_v x_here = (gs_vp_mul(shared, S)).hi;
+        gs_v y_here = (gs_vp_mul(shared, C)).hi;
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_store(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
+ * Operations: 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *x_out, double *y_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
+        const gs_vp S = gs_vp_sine(a);
+        gs_v x_here = (gs_vp_mul(shared, S)).hi;
+        gs_v y_here = (gs_vp_mul(shared, C)).hi;
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_drag(t_in[j], theta_in[j], g_in, gamma_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_store(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
+ * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *x_out, double *y_out)
+{
+    double pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            mu_in = gs_padded(pad[3], mu_in, here);
+            gamma_in = gs_padded(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, S)).hi);
+        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, C)).hi);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[5], x_here);
+            memcpy(x_out, pad[5], here * sizeof *x_out);
+            gs_v_store(pad[6], y_here);
+            memcpy(y_out, pad[6], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
+ * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *x_out, double *y_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, S)).hi);
+        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, C)).hi);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_store(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
+ * Operations: 2 mul. */
+void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, double *X_out, double *Y_out, double *R_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            g_in = gs_padded(pad[1], g_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        gs_v X_here = (gs_vp_constant(0.0)).hi;
+        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
+        gs_v R_here = (gs_vp_scaled(fall, 0.25)).hi;
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], X_here);
+            memcpy(X_out, pad[2], here * sizeof *X_out);
+            gs_v_store(pad[3], Y_here);
+            memcpy(Y_out, pad[3], here * sizeof *Y_out);
+            gs_v_store(pad[4], R_here);
+            memcpy(R_out, pad[4], here * sizeof *R_out);
+            return;
+        }
+        gs_v_store(X_out, X_here);
+        gs_v_store(Y_out, Y_here);
+        gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
+ * Operations: 2 mul. */
+void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double *X_out, double *Y_out, double *R_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        gs_v X_here = (gs_vp_constant(0.0)).hi;
+        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
+        gs_v R_here = (gs_vp_scaled(fall, 0.25)).hi;
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_store(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_store(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_store(X_out, X_here);
+        gs_v_store(Y_out, Y_here);
+        gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
+ * Operations: 1 add, 5 mul, 1 sqrt. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *mu_in, double *X_out, double *Y_out, double *R_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            g_in = gs_padded(pad[1], g_in, here);
+            mu_in = gs_padded(pad[2], mu_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, fall), 0.25)).hi;
+        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
+        gs_v R_here = (gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(fall, 0.25))).hi;
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in[j], mu_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], X_here);
+            memcpy(X_out, pad[3], here * sizeof *X_out);
+            gs_v_store(pad[4], Y_here);
+            memcpy(Y_out, pad[4], here * sizeof *Y_out);
+            gs_v_store(pad[5], R_here);
+            memcpy(R_out, pad[5], here * sizeof *R_out);
+            return;
+        }
+        gs_v_store(X_out, X_here);
+        gs_v_store(Y_out, Y_here);
+        gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
+ * Operations: 1 add, 5 mul, 1 sqrt. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double *X_out, double *Y_out, double *R_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu)));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, fall), 0.25)).hi;
+        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
+        gs_v R_here = (gs_vp_mul(once1, gs_vp_scaled(fall, 0.25))).hi;
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_store(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_store(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_store(X_out, X_here);
+        gs_v_store(Y_out, Y_here);
+        gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
+ * Operations: 4 mul, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *gamma_in, double *X_out, double *Y_out, double *R_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            g_in = gs_padded(pad[1], g_in, here);
+            gamma_in = gs_padded(pad[2], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
+        gs_v X_here = (gs_vp_constant(0.0)).hi;
+        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
+        gs_v R_here = (gs_vp_scaled(shared, 0.5)).hi;
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], X_here);
+            memcpy(X_out, pad[3], here * sizeof *X_out);
+            gs_v_store(pad[4], Y_here);
+            memcpy(Y_out, pad[4], here * sizeof *Y_out);
+            gs_v_store(pad[5], R_here);
+            memcpy(R_out, pad[5], here * sizeof *R_out);
+            return;
+        }
+        gs_v_store(X_out, X_here);
+        gs_v_store(Y_out, Y_here);
+        gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
+ * Operations: 4 mul, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
+        gs_v X_here = (gs_vp_constant(0.0)).hi;
+        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
+        gs_v R_here = (gs_vp_scaled(shared, 0.5)).hi;
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_store(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_store(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_store(X_out, X_here);
+        gs_v_store(Y_out, Y_here);
+        gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
+ * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *mu_in, const double *gamma_in, double *X_out, double *Y_out, double *R_out)
+{
+    double pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            g_in = gs_padded(pad[1], g_in, here);
+            mu_in = gs_padded(pad[2], mu_in, here);
+            gamma_in = gs_padded(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v mu_here = gs_v_load(mu_in);
+        const gs_v gamma_here = gs_v_load(gamma_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
+        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, shared), 0.5)).hi;
+        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
+        gs_v R_here = (gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(shared, 0.5))).hi;
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in[j], mu_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], X_here);
+            memcpy(X_out, pad[4], here * sizeof *X_out);
+            gs_v_store(pad[5], Y_here);
+            memcpy(Y_out, pad[5], here * sizeof *Y_out);
+            gs_v_store(pad[6], R_here);
+            memcpy(R_out, pad[6], here * sizeof *R_out);
+            return;
+        }
+        gs_v_store(X_out, X_here);
+        gs_v_store(Y_out, Y_here);
+        gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
+ * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
+    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu)));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        const gs_vp z = gs_vp_mul(t, gamma);
+        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
+        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, shared), 0.5)).hi;
+        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
+        gs_v R_here = (gs_vp_mul(once1, gs_vp_scaled(shared, 0.5))).hi;
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_store(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_store(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_store(X_out, X_here);
+        gs_v_store(Y_out, Y_here);
+        gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.max_angle, the stable form of chord.eq13.
+ * Operations: 1 table. */
+void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in, double *angle_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            mu_in = gs_padded(pad[0], mu_in, here);
+        }
+        const gs_v mu_here = gs_v_load(mu_in);
+        gs_mask good = gs_between_or_0(mu_here, 0x1p-100, 0x1p+100);
+        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
+        gs_v angle_here = (gs_vp_acot(mu)).hi;
+        if (!gs_all(good)) {
+            double angle_each[GS_LANES];
+            gs_v_store(angle_each, angle_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    angle_each[j] = gs_scaled_chord_max_angle(mu_in[j]);
+            angle_here = gs_v_load(angle_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], angle_here);
+            memcpy(angle_out, pad[1], here * sizeof *angle_out);
+            return;
+        }
+        gs_v_store(angle_out, angle_here);
+        count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
+ * Operations: 1 div, 1 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *time_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            v_in = gs_padded(pad[1], v_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        gs_v time_here = (gs_vp_scaled(rise, 2.0)).hi;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[j], v_in[j], g_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], time_here);
+            memcpy(time_out, pad[3], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
+ * Operations: 1 div, 1 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *time_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        gs_v time_here = (gs_vp_scaled(rise, 2.0)).hi;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[j], v_in, g_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
+ * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *time_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            v_in = gs_padded(pad[1], v_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            k_in = gs_padded(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v k_here = gs_v_load(k_in);
+        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp b = gs_vp_mul(k, rise);
+        gs_v time_here = (gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0)).hi;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
+ * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *time_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp b = gs_vp_mul(k, rise);
+        gs_v time_here = (gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0)).hi;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[j], v_in, g_in, k_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 div, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *range_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            v_in = gs_padded(pad[1], v_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0)).hi;
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[j], v_in[j], g_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], range_here);
+            memcpy(range_out, pad[3], here * sizeof *range_out);
+            return;
+        }
+        gs_v_store(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 div, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *range_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0)).hi;
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[j], v_in, g_in);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], range_here);
+            memcpy(range_out, pad[1], here * sizeof *range_out);
+            return;
+        }
+        gs_v_store(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
+ * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *range_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            v_in = gs_padded(pad[1], v_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            k_in = gs_padded(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v k_here = gs_v_load(k_in);
+        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp b = gs_vp_mul(k, rise);
+        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0)).hi;
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], range_here);
+            memcpy(range_out, pad[4], here * sizeof *range_out);
+            return;
+        }
+        gs_v_store(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
+ * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *range_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp b = gs_vp_mul(k, rise);
+        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0)).hi;
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[j], v_in, g_in, k_in);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], range_here);
+            memcpy(range_out, pad[1], here * sizeof *range_out);
+            return;
+        }
+        gs_v_store(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, double *x_out, double *y_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            v_in = gs_padded(pad[2], v_in, here);
+            g_in = gs_padded(pad[3], g_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp reach = gs_vp_mul(t, v);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        gs_v x_here = (gs_vp_mul(reach, C)).hi;
+        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5))).hi;
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_free(t_in[j], theta_in[j], v_in[j], g_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_store(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *x_out, double *y_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp reach = gs_vp_mul(t, v);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        gs_v x_here = (gs_vp_mul(reach, C)).hi;
+        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5))).hi;
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_free(t_in[j], theta_in[j], v_in, g_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_store(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
+ * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *x_out, double *y_out)
+{
+    double pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            v_in = gs_padded(pad[2], v_in, here);
+            g_in = gs_padded(pad[3], g_in, here);
+            k_in = gs_padded(pad[4], k_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v k_here = gs_v_load(k_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp z = gs_vp_mul(t, k);
+        const gs_vp reach = gs_vp_mul(gs_vp_mul(t, v), gs_vp_phi1m(z));
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        gs_v x_here = (gs_vp_mul(reach, C)).hi;
+        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z)))).hi;
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_drag(t_in[j], theta_in[j], v_in[j], g_in[j], k_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[5], x_here);
+            memcpy(x_out, pad[5], here * sizeof *x_out);
+            gs_v_store(pad[6], y_here);
+            memcpy(y_out, pad[6], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
+ * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *x_out, double *y_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp z = gs_vp_mul(t, k);
+        const gs_vp reach = gs_vp_mul(gs_vp_mul(t, v), gs_vp_phi1m(z));
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
+        gs_v x_here = (gs_vp_mul(reach, C)).hi;
+        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z)))).hi;
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_drag(t_in[j], theta_in[j], v_in, g_in, k_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_store(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_store(x_out, x_here);
+        gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, double *vx_out, double *vy_out)
+{
+    double pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            v_in = gs_padded(pad[2], v_in, here);
+            g_in = gs_padded(pad[3], g_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        gs_v vx_here = (gs_vp_mul(v, C)).hi;
+        gs_v vy_here = (gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g))).hi;
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_free(t_in[j], theta_in[j], v_in[j], g_in[j], vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], vx_here);
+            memcpy(vx_out, pad[4], here * sizeof *vx_out);
+            gs_v_store(pad[5], vy_here);
+            memcpy(vy_out, pad[5], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_store(vx_out, vx_here);
+        gs_v_store(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        gs_v vx_here = (gs_vp_mul(v, C)).hi;
+        gs_v vy_here = (gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g))).hi;
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_free(t_in[j], theta_in[j], v_in, g_in, vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], vx_here);
+            memcpy(vx_out, pad[2], here * sizeof *vx_out);
+            gs_v_store(pad[3], vy_here);
+            memcpy(vy_out, pad[3], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_store(vx_out, vx_here);
+        gs_v_store(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
+ * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *vx_out, double *vy_out)
+{
+    double pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+            v_in = gs_padded(pad[2], v_in, here);
+            g_in = gs_padded(pad[3], g_in, here);
+            k_in = gs_padded(pad[4], k_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v k_here = gs_v_load(k_in);
+        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp z = gs_vp_mul(t, k);
+        const gs_vp fade = gs_vp_phi0m(z, &good);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        gs_v vx_here = (gs_vp_mul(gs_vp_mul(v, fade), C)).hi;
+        gs_v vy_here = (gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z)))).hi;
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_drag(t_in[j], theta_in[j], v_in[j], g_in[j], k_in[j], vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[5], vx_here);
+            memcpy(vx_out, pad[5], here * sizeof *vx_out);
+            gs_v_store(pad[6], vy_here);
+            memcpy(vy_out, pad[6], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_store(vx_out, vx_here);
+        gs_v_store(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
+ * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *vx_out, double *vy_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded(pad[0], t_in, here);
+            theta_in = gs_padded(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_load(t_in);
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_vp z = gs_vp_mul(t, k);
+        const gs_vp fade = gs_vp_phi0m(z, &good);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        gs_v vx_here = (gs_vp_mul(gs_vp_mul(v, fade), C)).hi;
+        gs_v vy_here = (gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z)))).hi;
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_drag(t_in[j], theta_in[j], v_in, g_in, k_in, vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], vx_here);
+            memcpy(vx_out, pad[2], here * sizeof *vx_out);
+            gs_v_store(pad[3], vy_here);
+            memcpy(vy_out, pad[3], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_store(vx_out, vx_here);
+        gs_v_store(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *slope_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            v_in = gs_padded(pad[1], v_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0)).hi;
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[j], v_in[j], g_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], slope_here);
+            memcpy(slope_out, pad[3], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp once1 = gs_vp_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0)).hi;
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[j], v_in, g_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
+ * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *slope_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            v_in = gs_padded(pad[1], v_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            k_in = gs_padded(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v k_here = gs_v_load(k_in);
+        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp b = gs_vp_mul(k, rise);
+        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0)).hi;
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], slope_here);
+            memcpy(slope_out, pad[4], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
+ * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp b = gs_vp_mul(k, rise);
+        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0)).hi;
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[j], v_in, g_in, k_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
+ * Operations: 3 div, 6 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *slope_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            v_in = gs_padded(pad[1], v_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), g)), gs_vp_constant(3.0)), 8.0)).hi;
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[j], v_in[j], g_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], slope_here);
+            memcpy(slope_out, pad[3], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
+ * Operations: 3 div, 6 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp once1 = gs_vp_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp C = gs_vp_cosine(a);
+        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), g)), gs_vp_constant(3.0)), 8.0)).hi;
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[j], v_in, g_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
+ * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *slope_out)
+{
+    double pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+            v_in = gs_padded(pad[1], v_in, here);
+            g_in = gs_padded(pad[2], g_in, here);
+            k_in = gs_padded(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v k_here = gs_v_load(k_in);
+        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp b = gs_vp_mul(k, rise);
+        gs_v slope_here = (gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), gs_vp_range_loss(b)), g)), 2.0)).hi;
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[4], slope_here);
+            memcpy(slope_out, pad[4], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
+ * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
+{
+    double pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
+    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
+    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_load(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn a = gs_vp_angle(theta_used);
+        const gs_vp S = gs_vp_sine(a);
+        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
+        const gs_vp C = gs_vp_cosine(a);
+        const gs_vp b = gs_vp_mul(k, rise);
+        gs_v slope_here = (gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), gs_vp_range_loss(b)), g)), 2.0)).hi;
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[j], v_in, g_in, k_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
+ * Operations: 1 div, 1 mul. */
+void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const double *v_in, const double *g_in, double *range_out)
+{
+    double pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            v_in = gs_padded(pad[0], v_in, here);
+            g_in = gs_padded(pad[1], g_in, here);
+        }
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        gs_v range_here = (gs_vp_div(gs_vp_mul(v, v), g)).hi;
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_max_range_free(v_in[j], g_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[2], range_here);
+            memcpy(range_out, pad[2], here * sizeof *range_out);
+            return;
+        }
+        gs_v_store(range_out, range_here);
+        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.max_range.drag, the stable form of projectile.thm3, projectile.range.u.
+ * Operations: 2 div, 3 mul, 1 table. */
+void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const double *v_in, const double *g_in, const double *k_in, double *range_out)
+{
+    double pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            v_in = gs_padded(pad[0], v_in, here);
+            g_in = gs_padded(pad[1], g_in, here);
+            k_in = gs_padded(pad[2], k_in, here);
+        }
+        const gs_v v_here = gs_v_load(v_in);
+        const gs_v g_here = gs_v_load(g_in);
+        const gs_v k_here = gs_v_load(k_in);
+        gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
+        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
+        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
+        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp alpha = gs_vp_div(gs_vp_mul(v, k), g);
+        gs_v range_here = (gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_max_range_factor(alpha)), g)).hi;
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_max_range_drag(v_in[j], g_in[j], k_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_store(pad[3], range_here);
+            memcpy(range_out, pad[3], here * sizeof *range_out);
+            return;
+        }
+        gs_v_store(range_out, range_here);
+        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+#endif
+
+#define GS_CHOOSE(name) name##_plain
+#define GS_CHOOSE_SINGLE(name) name##_plain
+
+double gs_chord_descent_time_free(double theta, double diameter, double g)
+{
+    double time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_free_n)(1, &theta, &diameter, &g, &time);
+    return time;
+}
+
+void gs_chord_descent_time_free_n(size_t n, const double *theta, const double *diameter, const double *g, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_free_n)(n, theta, diameter, g, time);
+}
+
+void gs_chord_descent_time_free_nu(size_t n, const double *theta, double diameter, double g, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_free_nu)(n, theta, diameter, g, time);
+}
+
+double gs_chord_descent_time_friction(double theta, double diameter, double g, double mu)
+{
+    double time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_n)(1, &theta, &diameter, &g, &mu, &time);
+    return time;
+}
+
+void gs_chord_descent_time_friction_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_n)(n, theta, diameter, g, mu, time);
+}
+
+void gs_chord_descent_time_friction_nu(size_t n, const double *theta, double diameter, double g, double mu, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_nu)(n, theta, diameter, g, mu, time);
+}
+
+double gs_chord_descent_time_drag(double theta, double diameter, double g, double gamma)
+{
+    double time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_drag_n)(1, &theta, &diameter, &g, &gamma, &time);
+    return time;
+}
+
+void gs_chord_descent_time_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_drag_n)(n, theta, diameter, g, gamma, time);
+}
+
+void gs_chord_descent_time_drag_nu(size_t n, const double *theta, double diameter, double g, double gamma, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_drag_nu)(n, theta, diameter, g, gamma, time);
+}
+
+double gs_chord_descent_time_friction_drag(double theta, double diameter, double g, double mu, double gamma)
+{
+    double time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_drag_n)(1, &theta, &diameter, &g, &mu, &gamma, &time);
+    return time;
+}
+
+void gs_chord_descent_time_friction_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_n)(n, theta, diameter, g, mu, gamma, time);
+}
+
+void gs_chord_descent_time_friction_drag_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nu)(n, theta, diameter, g, mu, gamma, time);
+}
+
+double gs_chord_descent_time(double theta, double diameter, double g, double mu, double gamma)
+{
+    double time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_drag_n)(1, &theta, &diameter, &g, &mu, &gamma, &time);
+    return time;
+}
+
+void gs_chord_descent_time_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_n)(n, theta, diameter, g, mu, gamma, time);
+}
+
+void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nu)(n, theta, diameter, g, mu, gamma, time);
+}
+
+double gs_chord_distance_free(double t, double theta, double g)
+{
+    double distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_free_n)(1, &t, &theta, &g, &distance);
+    return distance;
+}
+
+void gs_chord_distance_free_n(size_t n, const double *t, const double *theta, const double *g, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_free_n)(n, t, theta, g, distance);
+}
+
+void gs_chord_distance_free_nu(size_t n, const double *t, const double *theta, double g, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_free_nu)(n, t, theta, g, distance);
+}
+
+double gs_chord_distance_friction(double t, double theta, double g, double mu)
+{
+    double distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_n)(1, &t, &theta, &g, &mu, &distance);
+    return distance;
+}
+
+void gs_chord_distance_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_n)(n, t, theta, g, mu, distance);
+}
+
+void gs_chord_distance_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_nu)(n, t, theta, g, mu, distance);
+}
+
+double gs_chord_distance_drag(double t, double theta, double g, double gamma)
+{
+    double distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_drag_n)(1, &t, &theta, &g, &gamma, &distance);
+    return distance;
+}
+
+void gs_chord_distance_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_drag_n)(n, t, theta, g, gamma, distance);
+}
+
+void gs_chord_distance_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_drag_nu)(n, t, theta, g, gamma, distance);
+}
+
+double gs_chord_distance_friction_drag(double t, double theta, double g, double mu, double gamma)
+{
+    double distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, &distance);
+    return distance;
+}
+
+void gs_chord_distance_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_n)(n, t, theta, g, mu, gamma, distance);
+}
+
+void gs_chord_distance_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nu)(n, t, theta, g, mu, gamma, distance);
+}
+
+double gs_chord_distance(double t, double theta, double g, double mu, double gamma)
+{
+    double distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, &distance);
+    return distance;
+}
+
+void gs_chord_distance_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_n)(n, t, theta, g, mu, gamma, distance);
+}
+
+void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nu)(n, t, theta, g, mu, gamma, distance);
+}
+
+double gs_chord_speed_free(double t, double theta, double g)
+{
+    double speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_free_n)(1, &t, &theta, &g, &speed);
+    return speed;
+}
+
+void gs_chord_speed_free_n(size_t n, const double *t, const double *theta, const double *g, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_free_n)(n, t, theta, g, speed);
+}
+
+void gs_chord_speed_free_nu(size_t n, const double *t, const double *theta, double g, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_free_nu)(n, t, theta, g, speed);
+}
+
+double gs_chord_speed_friction(double t, double theta, double g, double mu)
+{
+    double speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_n)(1, &t, &theta, &g, &mu, &speed);
+    return speed;
+}
+
+void gs_chord_speed_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_n)(n, t, theta, g, mu, speed);
+}
+
+void gs_chord_speed_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_nu)(n, t, theta, g, mu, speed);
+}
+
+double gs_chord_speed_drag(double t, double theta, double g, double gamma)
+{
+    double speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_drag_n)(1, &t, &theta, &g, &gamma, &speed);
+    return speed;
+}
+
+void gs_chord_speed_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_drag_n)(n, t, theta, g, gamma, speed);
+}
+
+void gs_chord_speed_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_drag_nu)(n, t, theta, g, gamma, speed);
+}
+
+double gs_chord_speed_friction_drag(double t, double theta, double g, double mu, double gamma)
+{
+    double speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, &speed);
+    return speed;
+}
+
+void gs_chord_speed_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_n)(n, t, theta, g, mu, gamma, speed);
+}
+
+void gs_chord_speed_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nu)(n, t, theta, g, mu, gamma, speed);
+}
+
+double gs_chord_speed(double t, double theta, double g, double mu, double gamma)
+{
+    double speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, &speed);
+    return speed;
+}
+
+void gs_chord_speed_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_n)(n, t, theta, g, mu, gamma, speed);
+}
+
+void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nu)(n, t, theta, g, mu, gamma, speed);
+}
+
+void gs_chord_position_free(double t, double theta, double g, double *x, double *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_free_n)(1, &t, &theta, &g, x, y);
+}
+
+void gs_chord_position_free_n(size_t n, const double *t, const double *theta, const double *g, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_free_n)(n, t, theta, g, x, y);
+}
+
+void gs_chord_position_free_nu(size_t n, const double *t, const double *theta, double g, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_free_nu)(n, t, theta, g, x, y);
+}
+
+void gs_chord_position_friction(double t, double theta, double g, double mu, double *x, double *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_n)(1, &t, &theta, &g, &mu, x, y);
+}
+
+void gs_chord_position_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_n)(n, t, theta, g, mu, x, y);
+}
+
+void gs_chord_position_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_nu)(n, t, theta, g, mu, x, y);
+}
+
+void gs_chord_position_drag(double t, double theta, double g, double gamma, double *x, double *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_drag_n)(1, &t, &theta, &g, &gamma, x, y);
+}
+
+void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_drag_n)(n, t, theta, g, gamma, x, y);
+}
+
+void gs_chord_position_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_drag_nu)(n, t, theta, g, gamma, x, y);
+}
+
+void gs_chord_position_friction_drag(double t, double theta, double g, double mu, double gamma, double *x, double *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, x, y);
+}
+
+void gs_chord_position_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_n)(n, t, theta, g, mu, gamma, x, y);
+}
+
+void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nu)(n, t, theta, g, mu, gamma, x, y);
+}
+
+void gs_chord_position(double t, double theta, double g, double mu, double gamma, double *x, double *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, x, y);
+}
+
+void gs_chord_position_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_n)(n, t, theta, g, mu, gamma, x, y);
+}
+
+void gs_chord_position_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nu)(n, t, theta, g, mu, gamma, x, y);
+}
+
+void gs_chord_synchronous_circle_free(double t, double g, double *X, double *Y, double *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_free_n)(1, &t, &g, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_free_n(size_t n, const double *t, const double *g, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_free_n)(n, t, g, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_free_nu)(n, t, g, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction(double t, double g, double mu, double *X, double *Y, double *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_n)(1, &t, &g, &mu, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_n)(n, t, g, mu, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_nu(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_nu)(n, t, g, mu, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_drag(double t, double g, double gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_drag_n)(1, &t, &g, &gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_drag_n(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_drag_n)(n, t, g, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_drag_nu)(n, t, g, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_drag(double t, double g, double mu, double gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_n)(1, &t, &g, &mu, &gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_n)(n, t, g, mu, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_drag_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nu)(n, t, g, mu, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_n)(1, &t, &g, &mu, &gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_n)(n, t, g, mu, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nu)(n, t, g, mu, gamma, X, Y, R);
+}
+
+double gs_chord_max_angle(double mu)
+{
+    double angle;
+    GS_CHOOSE_SINGLE(gs_chord_max_angle_n)(1, &mu, &angle);
+    return angle;
+}
+
+void gs_chord_max_angle_n(size_t n, const double *mu, double *angle)
+{
+    GS_CHOOSE(gs_chord_max_angle_n)(n, mu, angle);
+}
+
+double gs_projectile_flight_time_free(double theta, double v, double g)
+{
+    double time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_free_n)(1, &theta, &v, &g, &time);
+    return time;
+}
+
+void gs_projectile_flight_time_free_n(size_t n, const double *theta, const double *v, const double *g, double *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_free_n)(n, theta, v, g, time);
+}
+
+void gs_projectile_flight_time_free_nu(size_t n, const double *theta, double v, double g, double *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_free_nu)(n, theta, v, g, time);
+}
+
+double gs_projectile_flight_time_drag(double theta, double v, double g, double k)
+{
+    double time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_drag_n)(1, &theta, &v, &g, &k, &time);
+    return time;
+}
+
+void gs_projectile_flight_time_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_n)(n, theta, v, g, k, time);
+}
+
+void gs_projectile_flight_time_drag_nu(size_t n, const double *theta, double v, double g, double k, double *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nu)(n, theta, v, g, k, time);
+}
+
+double gs_projectile_flight_time(double theta, double v, double g, double k)
+{
+    double time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_drag_n)(1, &theta, &v, &g, &k, &time);
+    return time;
+}
+
+void gs_projectile_flight_time_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_n)(n, theta, v, g, k, time);
+}
+
+void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, double g, double k, double *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nu)(n, theta, v, g, k, time);
+}
+
+double gs_projectile_horizontal_range_free(double theta, double v, double g)
+{
+    double range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_free_n)(1, &theta, &v, &g, &range);
+    return range;
+}
+
+void gs_projectile_horizontal_range_free_n(size_t n, const double *theta, const double *v, const double *g, double *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_free_n)(n, theta, v, g, range);
+}
+
+void gs_projectile_horizontal_range_free_nu(size_t n, const double *theta, double v, double g, double *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_free_nu)(n, theta, v, g, range);
+}
+
+double gs_projectile_horizontal_range_drag(double theta, double v, double g, double k)
+{
+    double range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_drag_n)(1, &theta, &v, &g, &k, &range);
+    return range;
+}
+
+void gs_projectile_horizontal_range_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_n)(n, theta, v, g, k, range);
+}
+
+void gs_projectile_horizontal_range_drag_nu(size_t n, const double *theta, double v, double g, double k, double *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nu)(n, theta, v, g, k, range);
+}
+
+double gs_projectile_horizontal_range(double theta, double v, double g, double k)
+{
+    double range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_drag_n)(1, &theta, &v, &g, &k, &range);
+    return range;
+}
+
+void gs_projectile_horizontal_range_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_n)(n, theta, v, g, k, range);
+}
+
+void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, double g, double k, double *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nu)(n, theta, v, g, k, range);
+}
+
+void gs_projectile_position_free(double t, double theta, double v, double g, double *x, double *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_free_n)(1, &t, &theta, &v, &g, x, y);
+}
+
+void gs_projectile_position_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y)
+{
+    GS_CHOOSE(gs_projectile_position_free_n)(n, t, theta, v, g, x, y);
+}
+
+void gs_projectile_position_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y)
+{
+    GS_CHOOSE(gs_projectile_position_free_nu)(n, t, theta, v, g, x, y);
+}
+
+void gs_projectile_position_drag(double t, double theta, double v, double g, double k, double *x, double *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_drag_n)(1, &t, &theta, &v, &g, &k, x, y);
+}
+
+void gs_projectile_position_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_n)(n, t, theta, v, g, k, x, y);
+}
+
+void gs_projectile_position_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nu)(n, t, theta, v, g, k, x, y);
+}
+
+void gs_projectile_position(double t, double theta, double v, double g, double k, double *x, double *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_drag_n)(1, &t, &theta, &v, &g, &k, x, y);
+}
+
+void gs_projectile_position_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_n)(n, t, theta, v, g, k, x, y);
+}
+
+void gs_projectile_position_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nu)(n, t, theta, v, g, k, x, y);
+}
+
+void gs_projectile_velocity_free(double t, double theta, double v, double g, double *vx, double *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_free_n)(1, &t, &theta, &v, &g, vx, vy);
+}
+
+void gs_projectile_velocity_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_free_n)(n, t, theta, v, g, vx, vy);
+}
+
+void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_free_nu)(n, t, theta, v, g, vx, vy);
+}
+
+void gs_projectile_velocity_drag(double t, double theta, double v, double g, double k, double *vx, double *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_n)(1, &t, &theta, &v, &g, &k, vx, vy);
+}
+
+void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_n)(n, t, theta, v, g, k, vx, vy);
+}
+
+void gs_projectile_velocity_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nu)(n, t, theta, v, g, k, vx, vy);
+}
+
+void gs_projectile_velocity(double t, double theta, double v, double g, double k, double *vx, double *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_n)(1, &t, &theta, &v, &g, &k, vx, vy);
+}
+
+void gs_projectile_velocity_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_n)(n, t, theta, v, g, k, vx, vy);
+}
+
+void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nu)(n, t, theta, v, g, k, vx, vy);
+}
+
+double gs_projectile_range_slope_theta_free(double theta, double v, double g)
+{
+    double slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_free_n)(1, &theta, &v, &g, &slope);
+    return slope;
+}
+
+void gs_projectile_range_slope_theta_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_free_n)(n, theta, v, g, slope);
+}
+
+void gs_projectile_range_slope_theta_free_nu(size_t n, const double *theta, double v, double g, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_free_nu)(n, theta, v, g, slope);
+}
+
+double gs_projectile_range_slope_theta_drag(double theta, double v, double g, double k)
+{
+    double slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_drag_n)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
+void gs_projectile_range_slope_theta_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_n)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_theta_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nu)(n, theta, v, g, k, slope);
+}
+
+double gs_projectile_range_slope_theta(double theta, double v, double g, double k)
+{
+    double slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_drag_n)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
+void gs_projectile_range_slope_theta_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_n)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nu)(n, theta, v, g, k, slope);
+}
+
+double gs_projectile_range_slope_k_free(double theta, double v, double g)
+{
+    double slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_free_n)(1, &theta, &v, &g, &slope);
+    return slope;
+}
+
+void gs_projectile_range_slope_k_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_free_n)(n, theta, v, g, slope);
+}
+
+void gs_projectile_range_slope_k_free_nu(size_t n, const double *theta, double v, double g, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_free_nu)(n, theta, v, g, slope);
+}
+
+double gs_projectile_range_slope_k_drag(double theta, double v, double g, double k)
+{
+    double slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_drag_n)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
+void gs_projectile_range_slope_k_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_n)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_k_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nu)(n, theta, v, g, k, slope);
+}
+
+double gs_projectile_range_slope_k(double theta, double v, double g, double k)
+{
+    double slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_drag_n)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
+void gs_projectile_range_slope_k_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_n)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_k_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nu)(n, theta, v, g, k, slope);
+}
+
+double gs_projectile_max_range_free(double v, double g)
+{
+    double range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_free_n)(1, &v, &g, &range);
+    return range;
+}
+
+void gs_projectile_max_range_free_n(size_t n, const double *v, const double *g, double *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_free_n)(n, v, g, range);
+}
+
+double gs_projectile_max_range_drag(double v, double g, double k)
+{
+    double range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_drag_n)(1, &v, &g, &k, &range);
+    return range;
+}
+
+void gs_projectile_max_range_drag_n(size_t n, const double *v, const double *g, const double *k, double *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_drag_n)(n, v, g, k, range);
+}
+
+double gs_projectile_max_range(double v, double g, double k)
+{
+    double range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_drag_n)(1, &v, &g, &k, &range);
+    return range;
+}
+
+void gs_projectile_max_range_n(size_t n, const double *v, const double *g, const double *k, double *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_drag_n)(n, v, g, k, range);
+}
+#undef GS_SUFFIX
+#undef GS_CHOOSE
+#undef GS_CHOOSE_SINGLE
 #undef gs_add
 #undef gs_div
 #undef gs_mantissa
@@ -6192,7 +12629,7 @@ gs_scaled gs_lower_offset(gs_scaled x)
 
 /* stable.chord.descent_time.free, the stable form of chord.eq4.
  * Operations: 1 div, 1 sqrt. */
-double gs_chord_descent_time_free(double theta_in, double diameter_in, double g_in)
+double gs_scaled_chord_descent_time_free(double theta_in, double diameter_in, double g_in)
 {
     if (isnan(theta_in) || isnan(diameter_in) || isnan(g_in))
         return NAN;
@@ -6206,7 +12643,7 @@ double gs_chord_descent_time_free(double theta_in, double diameter_in, double g_
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
  * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
-double gs_chord_descent_time_friction(double theta_in, double diameter_in, double g_in, double mu_in)
+double gs_scaled_chord_descent_time_friction(double theta_in, double diameter_in, double g_in, double mu_in)
 {
     if (isnan(theta_in) || isnan(diameter_in) || isnan(g_in) || isnan(mu_in))
         return NAN;
@@ -6226,7 +12663,7 @@ double gs_chord_descent_time_friction(double theta_in, double diameter_in, doubl
 
 /* stable.chord.descent_time.drag, the stable form of chord.eq36.
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
-double gs_chord_descent_time_drag(double theta_in, double diameter_in, double g_in, double gamma_in)
+double gs_scaled_chord_descent_time_drag(double theta_in, double diameter_in, double g_in, double gamma_in)
 {
     if (isnan(theta_in) || isnan(diameter_in) || isnan(g_in) || isnan(gamma_in))
         return NAN;
@@ -6242,7 +12679,7 @@ double gs_chord_descent_time_drag(double theta_in, double diameter_in, double g_
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
  * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
-double gs_chord_descent_time_friction_drag(double theta_in, double diameter_in, double g_in, double mu_in, double gamma_in)
+double gs_scaled_chord_descent_time_friction_drag(double theta_in, double diameter_in, double g_in, double mu_in, double gamma_in)
 {
     if (isnan(theta_in) || isnan(diameter_in) || isnan(g_in) || isnan(mu_in) || isnan(gamma_in))
         return NAN;
@@ -6262,17 +12699,6 @@ double gs_chord_descent_time_friction_drag(double theta_in, double diameter_in, 
     return gs_settle(gs_mul(t0, gs_descent_factor(p)), ((isinf(diameter_in) || isinf(gamma_in)) && isinf(g_in)));
 }
 
-double gs_chord_descent_time(double theta, double diameter, double g, double mu, double gamma)
-{
-    return gs_chord_descent_time_friction_drag(theta, diameter, g, mu, gamma);
-}
-
-void gs_chord_descent_time_free_n(size_t n, const double *theta, const double *diameter, const double *g, double *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_free(theta[i], diameter[i], g[i]);
-}
-
 float gs_chord_descent_time_freef(float theta, float diameter, float g)
 {
     return (float)gs_chord_descent_time_free(gs_widen_angle(theta), (double)diameter, (double)g);
@@ -6282,12 +12708,6 @@ void gs_chord_descent_time_free_nf(size_t n, const float *theta, const float *di
 {
     for (size_t i = 0; i < n; i++)
         time[i] = gs_chord_descent_time_freef(theta[i], diameter[i], g[i]);
-}
-
-void gs_chord_descent_time_friction_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_friction(theta[i], diameter[i], g[i], mu[i]);
 }
 
 float gs_chord_descent_time_frictionf(float theta, float diameter, float g, float mu)
@@ -6301,12 +12721,6 @@ void gs_chord_descent_time_friction_nf(size_t n, const float *theta, const float
         time[i] = gs_chord_descent_time_frictionf(theta[i], diameter[i], g[i], mu[i]);
 }
 
-void gs_chord_descent_time_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_drag(theta[i], diameter[i], g[i], gamma[i]);
-}
-
 float gs_chord_descent_time_dragf(float theta, float diameter, float g, float gamma)
 {
     return (float)gs_chord_descent_time_drag(gs_widen_angle(theta), (double)diameter, (double)g, (double)gamma);
@@ -6318,12 +12732,6 @@ void gs_chord_descent_time_drag_nf(size_t n, const float *theta, const float *di
         time[i] = gs_chord_descent_time_dragf(theta[i], diameter[i], g[i], gamma[i]);
 }
 
-void gs_chord_descent_time_friction_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_friction_drag(theta[i], diameter[i], g[i], mu[i], gamma[i]);
-}
-
 float gs_chord_descent_time_friction_dragf(float theta, float diameter, float g, float mu, float gamma)
 {
     return (float)gs_chord_descent_time_friction_drag(gs_widen_angle(theta), (double)diameter, (double)g, (double)mu, (double)gamma);
@@ -6333,12 +12741,6 @@ void gs_chord_descent_time_friction_drag_nf(size_t n, const float *theta, const 
 {
     for (size_t i = 0; i < n; i++)
         time[i] = gs_chord_descent_time_friction_dragf(theta[i], diameter[i], g[i], mu[i], gamma[i]);
-}
-
-void gs_chord_descent_time_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time(theta[i], diameter[i], g[i], mu[i], gamma[i]);
 }
 
 float gs_chord_descent_timef(float theta, float diameter, float g, float mu, float gamma)
@@ -6354,7 +12756,7 @@ void gs_chord_descent_time_nf(size_t n, const float *theta, const float *diamete
 
 /* stable.chord.distance.free, the stable form of chord.eq1.
  * Operations: 3 mul, 1 sine and cosine. */
-double gs_chord_distance_free(double t_in, double theta_in, double g_in)
+double gs_scaled_chord_distance_free(double t_in, double theta_in, double g_in)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in))
         return NAN;
@@ -6370,7 +12772,7 @@ double gs_chord_distance_free(double t_in, double theta_in, double g_in)
 
 /* stable.chord.distance.friction, the stable form of chord.eq15.
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
-double gs_chord_distance_friction(double t_in, double theta_in, double g_in, double mu_in)
+double gs_scaled_chord_distance_friction(double t_in, double theta_in, double g_in, double mu_in)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(mu_in))
         return NAN;
@@ -6389,7 +12791,7 @@ double gs_chord_distance_friction(double t_in, double theta_in, double g_in, dou
 
 /* stable.chord.distance.drag, the stable form of chord.eq29.
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
-double gs_chord_distance_drag(double t_in, double theta_in, double g_in, double gamma_in)
+double gs_scaled_chord_distance_drag(double t_in, double theta_in, double g_in, double gamma_in)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(gamma_in))
         return NAN;
@@ -6407,7 +12809,7 @@ double gs_chord_distance_drag(double t_in, double theta_in, double g_in, double 
 
 /* stable.chord.distance.friction_drag, the stable form of chord.eq41.
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
-double gs_chord_distance_friction_drag(double t_in, double theta_in, double g_in, double mu_in, double gamma_in)
+double gs_scaled_chord_distance_friction_drag(double t_in, double theta_in, double g_in, double mu_in, double gamma_in)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(mu_in) || isnan(gamma_in))
         return NAN;
@@ -6426,17 +12828,6 @@ double gs_chord_distance_friction_drag(double t_in, double theta_in, double g_in
     return gs_settle(gs_mul(gs_mul(fall, n), gs_phi2m(z)), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
-double gs_chord_distance(double t, double theta, double g, double mu, double gamma)
-{
-    return gs_chord_distance_friction_drag(t, theta, g, mu, gamma);
-}
-
-void gs_chord_distance_free_n(size_t n, const double *t, const double *theta, const double *g, double *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_free(t[i], theta[i], g[i]);
-}
-
 float gs_chord_distance_freef(float t, float theta, float g)
 {
     return (float)gs_chord_distance_free((double)t, gs_widen_angle(theta), (double)g);
@@ -6446,12 +12837,6 @@ void gs_chord_distance_free_nf(size_t n, const float *t, const float *theta, con
 {
     for (size_t i = 0; i < n; i++)
         distance[i] = gs_chord_distance_freef(t[i], theta[i], g[i]);
-}
-
-void gs_chord_distance_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_friction(t[i], theta[i], g[i], mu[i]);
 }
 
 float gs_chord_distance_frictionf(float t, float theta, float g, float mu)
@@ -6465,12 +12850,6 @@ void gs_chord_distance_friction_nf(size_t n, const float *t, const float *theta,
         distance[i] = gs_chord_distance_frictionf(t[i], theta[i], g[i], mu[i]);
 }
 
-void gs_chord_distance_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_drag(t[i], theta[i], g[i], gamma[i]);
-}
-
 float gs_chord_distance_dragf(float t, float theta, float g, float gamma)
 {
     return (float)gs_chord_distance_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma);
@@ -6482,12 +12861,6 @@ void gs_chord_distance_drag_nf(size_t n, const float *t, const float *theta, con
         distance[i] = gs_chord_distance_dragf(t[i], theta[i], g[i], gamma[i]);
 }
 
-void gs_chord_distance_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_friction_drag(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
 float gs_chord_distance_friction_dragf(float t, float theta, float g, float mu, float gamma)
 {
     return (float)gs_chord_distance_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
@@ -6497,12 +12870,6 @@ void gs_chord_distance_friction_drag_nf(size_t n, const float *t, const float *t
 {
     for (size_t i = 0; i < n; i++)
         distance[i] = gs_chord_distance_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
-void gs_chord_distance_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance(t[i], theta[i], g[i], mu[i], gamma[i]);
 }
 
 float gs_chord_distancef(float t, float theta, float g, float mu, float gamma)
@@ -6518,7 +12885,7 @@ void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const fl
 
 /* stable.chord.speed.free, the stable form of chord.eq1.
  * Operations: 2 mul, 1 sine and cosine. */
-double gs_chord_speed_free(double t_in, double theta_in, double g_in)
+double gs_scaled_chord_speed_free(double t_in, double theta_in, double g_in)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in))
         return NAN;
@@ -6533,7 +12900,7 @@ double gs_chord_speed_free(double t_in, double theta_in, double g_in)
 
 /* stable.chord.speed.friction, the stable form of chord.eq15.
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
-double gs_chord_speed_friction(double t_in, double theta_in, double g_in, double mu_in)
+double gs_scaled_chord_speed_friction(double t_in, double theta_in, double g_in, double mu_in)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(mu_in))
         return NAN;
@@ -6551,7 +12918,7 @@ double gs_chord_speed_friction(double t_in, double theta_in, double g_in, double
 
 /* stable.chord.speed.drag, the stable form of chord.eq29.
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
-double gs_chord_speed_drag(double t_in, double theta_in, double g_in, double gamma_in)
+double gs_scaled_chord_speed_drag(double t_in, double theta_in, double g_in, double gamma_in)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(gamma_in))
         return NAN;
@@ -6568,7 +12935,7 @@ double gs_chord_speed_drag(double t_in, double theta_in, double g_in, double gam
 
 /* stable.chord.speed.friction_drag, the stable form of chord.eq41.
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
-double gs_chord_speed_friction_drag(double t_in, double theta_in, double g_in, double mu_in, double gamma_in)
+double gs_scaled_chord_speed_friction_drag(double t_in, double theta_in, double g_in, double mu_in, double gamma_in)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(mu_in) || isnan(gamma_in))
         return NAN;
@@ -6586,17 +12953,6 @@ double gs_chord_speed_friction_drag(double t_in, double theta_in, double g_in, d
     return gs_settle(gs_mul(gs_mul(gs_mul(t, g), n), gs_phi1m(z)), (isinf(g_in) && isinf(gamma_in)));
 }
 
-double gs_chord_speed(double t, double theta, double g, double mu, double gamma)
-{
-    return gs_chord_speed_friction_drag(t, theta, g, mu, gamma);
-}
-
-void gs_chord_speed_free_n(size_t n, const double *t, const double *theta, const double *g, double *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_free(t[i], theta[i], g[i]);
-}
-
 float gs_chord_speed_freef(float t, float theta, float g)
 {
     return (float)gs_chord_speed_free((double)t, gs_widen_angle(theta), (double)g);
@@ -6606,12 +12962,6 @@ void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const 
 {
     for (size_t i = 0; i < n; i++)
         speed[i] = gs_chord_speed_freef(t[i], theta[i], g[i]);
-}
-
-void gs_chord_speed_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_friction(t[i], theta[i], g[i], mu[i]);
 }
 
 float gs_chord_speed_frictionf(float t, float theta, float g, float mu)
@@ -6625,12 +12975,6 @@ void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, co
         speed[i] = gs_chord_speed_frictionf(t[i], theta[i], g[i], mu[i]);
 }
 
-void gs_chord_speed_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_drag(t[i], theta[i], g[i], gamma[i]);
-}
-
 float gs_chord_speed_dragf(float t, float theta, float g, float gamma)
 {
     return (float)gs_chord_speed_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma);
@@ -6642,12 +12986,6 @@ void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const 
         speed[i] = gs_chord_speed_dragf(t[i], theta[i], g[i], gamma[i]);
 }
 
-void gs_chord_speed_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_friction_drag(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
 float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma)
 {
     return (float)gs_chord_speed_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
@@ -6657,12 +12995,6 @@ void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *thet
 {
     for (size_t i = 0; i < n; i++)
         speed[i] = gs_chord_speed_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
-void gs_chord_speed_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed(t[i], theta[i], g[i], mu[i], gamma[i]);
 }
 
 float gs_chord_speedf(float t, float theta, float g, float mu, float gamma)
@@ -6678,7 +13010,7 @@ void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float
 
 /* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
  * Operations: 5 mul, 1 sine and cosine. */
-void gs_chord_position_free(double t_in, double theta_in, double g_in, double *x_out, double *y_out)
+void gs_scaled_chord_position_free(double t_in, double theta_in, double g_in, double *x_out, double *y_out)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in)) {
         *x_out = *y_out = NAN;
@@ -6701,7 +13033,7 @@ void gs_chord_position_free(double t_in, double theta_in, double g_in, double *x
 
 /* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
-void gs_chord_position_friction(double t_in, double theta_in, double g_in, double mu_in, double *x_out, double *y_out)
+void gs_scaled_chord_position_friction(double t_in, double theta_in, double g_in, double mu_in, double *x_out, double *y_out)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(mu_in)) {
         *x_out = *y_out = NAN;
@@ -6730,7 +13062,7 @@ void gs_chord_position_friction(double t_in, double theta_in, double g_in, doubl
 
 /* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
-void gs_chord_position_drag(double t_in, double theta_in, double g_in, double gamma_in, double *x_out, double *y_out)
+void gs_scaled_chord_position_drag(double t_in, double theta_in, double g_in, double gamma_in, double *x_out, double *y_out)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(gamma_in)) {
         *x_out = *y_out = NAN;
@@ -6755,7 +13087,7 @@ void gs_chord_position_drag(double t_in, double theta_in, double g_in, double ga
 
 /* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
-void gs_chord_position_friction_drag(double t_in, double theta_in, double g_in, double mu_in, double gamma_in, double *x_out, double *y_out)
+void gs_scaled_chord_position_friction_drag(double t_in, double theta_in, double g_in, double mu_in, double gamma_in, double *x_out, double *y_out)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(g_in) || isnan(mu_in) || isnan(gamma_in)) {
         *x_out = *y_out = NAN;
@@ -6784,17 +13116,6 @@ void gs_chord_position_friction_drag(double t_in, double theta_in, double g_in, 
     *y_out = gs_settle(gs_mul(shared, C), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
-void gs_chord_position(double t, double theta, double g, double mu, double gamma, double *x, double *y)
-{
-    gs_chord_position_friction_drag(t, theta, g, mu, gamma, x, y);
-}
-
-void gs_chord_position_free_n(size_t n, const double *t, const double *theta, const double *g, double *x, double *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_free(t[i], theta[i], g[i], x + i, y + i);
-}
-
 void gs_chord_position_freef(float t, float theta, float g, float *x, float *y)
 {
     double x_wide, y_wide;
@@ -6807,12 +13128,6 @@ void gs_chord_position_free_nf(size_t n, const float *t, const float *theta, con
 {
     for (size_t i = 0; i < n; i++)
         gs_chord_position_freef(t[i], theta[i], g[i], x + i, y + i);
-}
-
-void gs_chord_position_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_friction(t[i], theta[i], g[i], mu[i], x + i, y + i);
 }
 
 void gs_chord_position_frictionf(float t, float theta, float g, float mu, float *x, float *y)
@@ -6829,12 +13144,6 @@ void gs_chord_position_friction_nf(size_t n, const float *t, const float *theta,
         gs_chord_position_frictionf(t[i], theta[i], g[i], mu[i], x + i, y + i);
 }
 
-void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_drag(t[i], theta[i], g[i], gamma[i], x + i, y + i);
-}
-
 void gs_chord_position_dragf(float t, float theta, float g, float gamma, float *x, float *y)
 {
     double x_wide, y_wide;
@@ -6849,12 +13158,6 @@ void gs_chord_position_drag_nf(size_t n, const float *t, const float *theta, con
         gs_chord_position_dragf(t[i], theta[i], g[i], gamma[i], x + i, y + i);
 }
 
-void gs_chord_position_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_friction_drag(t[i], theta[i], g[i], mu[i], gamma[i], x + i, y + i);
-}
-
 void gs_chord_position_friction_dragf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
 {
     double x_wide, y_wide;
@@ -6867,12 +13170,6 @@ void gs_chord_position_friction_drag_nf(size_t n, const float *t, const float *t
 {
     for (size_t i = 0; i < n; i++)
         gs_chord_position_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i], x + i, y + i);
-}
-
-void gs_chord_position_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position(t[i], theta[i], g[i], mu[i], gamma[i], x + i, y + i);
 }
 
 void gs_chord_positionf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
@@ -6891,7 +13188,7 @@ void gs_chord_position_nf(size_t n, const float *t, const float *theta, const fl
 
 /* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
  * Operations: 2 mul. */
-void gs_chord_synchronous_circle_free(double t_in, double g_in, double *X_out, double *Y_out, double *R_out)
+void gs_scaled_chord_synchronous_circle_free(double t_in, double g_in, double *X_out, double *Y_out, double *R_out)
 {
     if (isnan(t_in) || isnan(g_in)) {
         *X_out = *Y_out = *R_out = NAN;
@@ -6911,7 +13208,7 @@ void gs_chord_synchronous_circle_free(double t_in, double g_in, double *X_out, d
 
 /* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
  * Operations: 1 add, 5 mul, 1 sqrt. */
-void gs_chord_synchronous_circle_friction(double t_in, double g_in, double mu_in, double *X_out, double *Y_out, double *R_out)
+void gs_scaled_chord_synchronous_circle_friction(double t_in, double g_in, double mu_in, double *X_out, double *Y_out, double *R_out)
 {
     if (isnan(t_in) || isnan(g_in) || isnan(mu_in)) {
         *X_out = *Y_out = *R_out = NAN;
@@ -6932,7 +13229,7 @@ void gs_chord_synchronous_circle_friction(double t_in, double g_in, double mu_in
 
 /* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
  * Operations: 4 mul, 1 table. */
-void gs_chord_synchronous_circle_drag(double t_in, double g_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
+void gs_scaled_chord_synchronous_circle_drag(double t_in, double g_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
     if (isnan(t_in) || isnan(g_in) || isnan(gamma_in)) {
         *X_out = *Y_out = *R_out = NAN;
@@ -6955,7 +13252,7 @@ void gs_chord_synchronous_circle_drag(double t_in, double g_in, double gamma_in,
 
 /* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
-void gs_chord_synchronous_circle_friction_drag(double t_in, double g_in, double mu_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
+void gs_scaled_chord_synchronous_circle_friction_drag(double t_in, double g_in, double mu_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
     if (isnan(t_in) || isnan(g_in) || isnan(mu_in) || isnan(gamma_in)) {
         *X_out = *Y_out = *R_out = NAN;
@@ -6977,17 +13274,6 @@ void gs_chord_synchronous_circle_friction_drag(double t_in, double g_in, double 
     *R_out = gs_settle(gs_mul(gs_sqrt(gs_add(gs_constant(1.0), gs_mul(mu, mu))), gs_scale(shared, -1)), ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && isinf(gamma_in)));
 }
 
-void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, double *X, double *Y, double *R)
-{
-    gs_chord_synchronous_circle_friction_drag(t, g, mu, gamma, X, Y, R);
-}
-
-void gs_chord_synchronous_circle_free_n(size_t n, const double *t, const double *g, double *X, double *Y, double *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_free(t[i], g[i], X + i, Y + i, R + i);
-}
-
 void gs_chord_synchronous_circle_freef(float t, float g, float *X, float *Y, float *R)
 {
     double X_wide, Y_wide, R_wide;
@@ -7001,12 +13287,6 @@ void gs_chord_synchronous_circle_free_nf(size_t n, const float *t, const float *
 {
     for (size_t i = 0; i < n; i++)
         gs_chord_synchronous_circle_freef(t[i], g[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_friction(t[i], g[i], mu[i], X + i, Y + i, R + i);
 }
 
 void gs_chord_synchronous_circle_frictionf(float t, float g, float mu, float *X, float *Y, float *R)
@@ -7024,12 +13304,6 @@ void gs_chord_synchronous_circle_friction_nf(size_t n, const float *t, const flo
         gs_chord_synchronous_circle_frictionf(t[i], g[i], mu[i], X + i, Y + i, R + i);
 }
 
-void gs_chord_synchronous_circle_drag_n(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_drag(t[i], g[i], gamma[i], X + i, Y + i, R + i);
-}
-
 void gs_chord_synchronous_circle_dragf(float t, float g, float gamma, float *X, float *Y, float *R)
 {
     double X_wide, Y_wide, R_wide;
@@ -7045,12 +13319,6 @@ void gs_chord_synchronous_circle_drag_nf(size_t n, const float *t, const float *
         gs_chord_synchronous_circle_dragf(t[i], g[i], gamma[i], X + i, Y + i, R + i);
 }
 
-void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_friction_drag(t[i], g[i], mu[i], gamma[i], X + i, Y + i, R + i);
-}
-
 void gs_chord_synchronous_circle_friction_dragf(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
 {
     double X_wide, Y_wide, R_wide;
@@ -7064,12 +13332,6 @@ void gs_chord_synchronous_circle_friction_drag_nf(size_t n, const float *t, cons
 {
     for (size_t i = 0; i < n; i++)
         gs_chord_synchronous_circle_friction_dragf(t[i], g[i], mu[i], gamma[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circle_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle(t[i], g[i], mu[i], gamma[i], X + i, Y + i, R + i);
 }
 
 void gs_chord_synchronous_circlef(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
@@ -7089,7 +13351,7 @@ void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, co
 
 /* stable.chord.max_angle, the stable form of chord.eq13.
  * Operations: 1 table. */
-double gs_chord_max_angle(double mu_in)
+double gs_scaled_chord_max_angle(double mu_in)
 {
     if (isnan(mu_in))
         return NAN;
@@ -7097,12 +13359,6 @@ double gs_chord_max_angle(double mu_in)
         return gs_invalid();
     const gs_scaled mu = gs_load(mu_in);
     return gs_store(gs_acot(mu));
-}
-
-void gs_chord_max_angle_n(size_t n, const double *mu, double *angle)
-{
-    for (size_t i = 0; i < n; i++)
-        angle[i] = gs_chord_max_angle(mu[i]);
 }
 
 float gs_chord_max_anglef(float mu)
@@ -7983,7 +14239,7 @@ gs_scaled gs_driving(gs_direction a, gs_scaled mu)
 
 /* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
-double gs_projectile_flight_time_free(double theta_in, double v_in, double g_in)
+double gs_scaled_projectile_flight_time_free(double theta_in, double v_in, double g_in)
 {
     if (isnan(theta_in) || isnan(v_in) || isnan(g_in))
         return NAN;
@@ -7999,7 +14255,7 @@ double gs_projectile_flight_time_free(double theta_in, double v_in, double g_in)
 
 /* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
-double gs_projectile_flight_time_drag(double theta_in, double v_in, double g_in, double k_in)
+double gs_scaled_projectile_flight_time_drag(double theta_in, double v_in, double g_in, double k_in)
 {
     if (isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in))
         return NAN;
@@ -8015,17 +14271,6 @@ double gs_projectile_flight_time_drag(double theta_in, double v_in, double g_in,
     return gs_settle(gs_scale(gs_mul(rise, gs_flight_factor(b)), 1), (isinf(v_in) && isinf(g_in)));
 }
 
-double gs_projectile_flight_time(double theta, double v, double g, double k)
-{
-    return gs_projectile_flight_time_drag(theta, v, g, k);
-}
-
-void gs_projectile_flight_time_free_n(size_t n, const double *theta, const double *v, const double *g, double *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_time_free(theta[i], v[i], g[i]);
-}
-
 float gs_projectile_flight_time_freef(float theta, float v, float g)
 {
     return (float)gs_projectile_flight_time_free(gs_widen_angle(theta), (double)v, (double)g);
@@ -8037,12 +14282,6 @@ void gs_projectile_flight_time_free_nf(size_t n, const float *theta, const float
         time[i] = gs_projectile_flight_time_freef(theta[i], v[i], g[i]);
 }
 
-void gs_projectile_flight_time_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_time_drag(theta[i], v[i], g[i], k[i]);
-}
-
 float gs_projectile_flight_time_dragf(float theta, float v, float g, float k)
 {
     return (float)gs_projectile_flight_time_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
@@ -8052,12 +14291,6 @@ void gs_projectile_flight_time_drag_nf(size_t n, const float *theta, const float
 {
     for (size_t i = 0; i < n; i++)
         time[i] = gs_projectile_flight_time_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-void gs_projectile_flight_time_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_time(theta[i], v[i], g[i], k[i]);
 }
 
 float gs_projectile_flight_timef(float theta, float v, float g, float k)
@@ -8073,7 +14306,7 @@ void gs_projectile_flight_time_nf(size_t n, const float *theta, const float *v, 
 
 /* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
-double gs_projectile_horizontal_range_free(double theta_in, double v_in, double g_in)
+double gs_scaled_projectile_horizontal_range_free(double theta_in, double v_in, double g_in)
 {
     if (isnan(theta_in) || isnan(v_in) || isnan(g_in))
         return NAN;
@@ -8090,7 +14323,7 @@ double gs_projectile_horizontal_range_free(double theta_in, double v_in, double 
 
 /* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
-double gs_projectile_horizontal_range_drag(double theta_in, double v_in, double g_in, double k_in)
+double gs_scaled_projectile_horizontal_range_drag(double theta_in, double v_in, double g_in, double k_in)
 {
     if (isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in))
         return NAN;
@@ -8107,17 +14340,6 @@ double gs_projectile_horizontal_range_drag(double theta_in, double v_in, double 
     return gs_settle(gs_scale(gs_mul(gs_mul(gs_mul(v, rise), C), gs_range_factor(b)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
-double gs_projectile_horizontal_range(double theta, double v, double g, double k)
-{
-    return gs_projectile_horizontal_range_drag(theta, v, g, k);
-}
-
-void gs_projectile_horizontal_range_free_n(size_t n, const double *theta, const double *v, const double *g, double *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_range_free(theta[i], v[i], g[i]);
-}
-
 float gs_projectile_horizontal_range_freef(float theta, float v, float g)
 {
     return (float)gs_projectile_horizontal_range_free(gs_widen_angle(theta), (double)v, (double)g);
@@ -8129,12 +14351,6 @@ void gs_projectile_horizontal_range_free_nf(size_t n, const float *theta, const 
         range[i] = gs_projectile_horizontal_range_freef(theta[i], v[i], g[i]);
 }
 
-void gs_projectile_horizontal_range_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_range_drag(theta[i], v[i], g[i], k[i]);
-}
-
 float gs_projectile_horizontal_range_dragf(float theta, float v, float g, float k)
 {
     return (float)gs_projectile_horizontal_range_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
@@ -8144,12 +14360,6 @@ void gs_projectile_horizontal_range_drag_nf(size_t n, const float *theta, const 
 {
     for (size_t i = 0; i < n; i++)
         range[i] = gs_projectile_horizontal_range_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-void gs_projectile_horizontal_range_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_range(theta[i], v[i], g[i], k[i]);
 }
 
 float gs_projectile_horizontal_rangef(float theta, float v, float g, float k)
@@ -8165,7 +14375,7 @@ void gs_projectile_horizontal_range_nf(size_t n, const float *theta, const float
 
 /* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
-void gs_projectile_position_free(double t_in, double theta_in, double v_in, double g_in, double *x_out, double *y_out)
+void gs_scaled_projectile_position_free(double t_in, double theta_in, double v_in, double g_in, double *x_out, double *y_out)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(v_in) || isnan(g_in)) {
         *x_out = *y_out = NAN;
@@ -8189,7 +14399,7 @@ void gs_projectile_position_free(double t_in, double theta_in, double v_in, doub
 
 /* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
-void gs_projectile_position_drag(double t_in, double theta_in, double v_in, double g_in, double k_in, double *x_out, double *y_out)
+void gs_scaled_projectile_position_drag(double t_in, double theta_in, double v_in, double g_in, double k_in, double *x_out, double *y_out)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in)) {
         *x_out = *y_out = NAN;
@@ -8213,17 +14423,6 @@ void gs_projectile_position_drag(double t_in, double theta_in, double v_in, doub
     *y_out = gs_settle(gs_sub(gs_mul(reach, S), gs_mul(fall, gs_phi2m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && isinf(k_in)) || ((isinf(t_in) || isinf(g_in)) && isinf(k_in))));
 }
 
-void gs_projectile_position(double t, double theta, double v, double g, double k, double *x, double *y)
-{
-    gs_projectile_position_drag(t, theta, v, g, k, x, y);
-}
-
-void gs_projectile_position_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_position_free(t[i], theta[i], v[i], g[i], x + i, y + i);
-}
-
 void gs_projectile_position_freef(float t, float theta, float v, float g, float *x, float *y)
 {
     double x_wide, y_wide;
@@ -8238,12 +14437,6 @@ void gs_projectile_position_free_nf(size_t n, const float *t, const float *theta
         gs_projectile_position_freef(t[i], theta[i], v[i], g[i], x + i, y + i);
 }
 
-void gs_projectile_position_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_position_drag(t[i], theta[i], v[i], g[i], k[i], x + i, y + i);
-}
-
 void gs_projectile_position_dragf(float t, float theta, float v, float g, float k, float *x, float *y)
 {
     double x_wide, y_wide;
@@ -8256,12 +14449,6 @@ void gs_projectile_position_drag_nf(size_t n, const float *t, const float *theta
 {
     for (size_t i = 0; i < n; i++)
         gs_projectile_position_dragf(t[i], theta[i], v[i], g[i], k[i], x + i, y + i);
-}
-
-void gs_projectile_position_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_position(t[i], theta[i], v[i], g[i], k[i], x + i, y + i);
 }
 
 void gs_projectile_positionf(float t, float theta, float v, float g, float k, float *x, float *y)
@@ -8280,7 +14467,7 @@ void gs_projectile_position_nf(size_t n, const float *t, const float *theta, con
 
 /* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
-void gs_projectile_velocity_free(double t_in, double theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
+void gs_scaled_projectile_velocity_free(double t_in, double theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(v_in) || isnan(g_in)) {
         *vx_out = *vy_out = NAN;
@@ -8302,7 +14489,7 @@ void gs_projectile_velocity_free(double t_in, double theta_in, double v_in, doub
 
 /* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
-void gs_projectile_velocity_drag(double t_in, double theta_in, double v_in, double g_in, double k_in, double *vx_out, double *vy_out)
+void gs_scaled_projectile_velocity_drag(double t_in, double theta_in, double v_in, double g_in, double k_in, double *vx_out, double *vy_out)
 {
     if (isnan(t_in) || isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in)) {
         *vx_out = *vy_out = NAN;
@@ -8325,17 +14512,6 @@ void gs_projectile_velocity_drag(double t_in, double theta_in, double v_in, doub
     *vy_out = gs_settle(gs_sub(gs_mul(gs_mul(v, fade), S), gs_mul(gs_mul(t, g), gs_phi1m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && (isinf(t_in) || isinf(k_in))) || (isinf(g_in) && isinf(k_in))));
 }
 
-void gs_projectile_velocity(double t, double theta, double v, double g, double k, double *vx, double *vy)
-{
-    gs_projectile_velocity_drag(t, theta, v, g, k, vx, vy);
-}
-
-void gs_projectile_velocity_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocity_free(t[i], theta[i], v[i], g[i], vx + i, vy + i);
-}
-
 void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy)
 {
     double vx_wide, vy_wide;
@@ -8350,12 +14526,6 @@ void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta
         gs_projectile_velocity_freef(t[i], theta[i], v[i], g[i], vx + i, vy + i);
 }
 
-void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocity_drag(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
-}
-
 void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy)
 {
     double vx_wide, vy_wide;
@@ -8368,12 +14538,6 @@ void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta
 {
     for (size_t i = 0; i < n; i++)
         gs_projectile_velocity_dragf(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
-}
-
-void gs_projectile_velocity_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocity(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
 }
 
 void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy)
@@ -8392,7 +14556,7 @@ void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, con
 
 /* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
-double gs_projectile_range_slope_theta_free(double theta_in, double v_in, double g_in)
+double gs_scaled_projectile_range_slope_theta_free(double theta_in, double v_in, double g_in)
 {
     if (isnan(theta_in) || isnan(v_in) || isnan(g_in))
         return NAN;
@@ -8408,7 +14572,7 @@ double gs_projectile_range_slope_theta_free(double theta_in, double v_in, double
 
 /* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
-double gs_projectile_range_slope_theta_drag(double theta_in, double v_in, double g_in, double k_in)
+double gs_scaled_projectile_range_slope_theta_drag(double theta_in, double v_in, double g_in, double k_in)
 {
     if (isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in))
         return NAN;
@@ -8425,17 +14589,6 @@ double gs_projectile_range_slope_theta_drag(double theta_in, double v_in, double
     return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(gs_mul(v, v), gs_sub(gs_mul(gs_mul(C, C), gs_range_balance(b)), gs_mul(S, S))), gs_range_factor(b)), g), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
-double gs_projectile_range_slope_theta(double theta, double v, double g, double k)
-{
-    return gs_projectile_range_slope_theta_drag(theta, v, g, k);
-}
-
-void gs_projectile_range_slope_theta_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_theta_free(theta[i], v[i], g[i]);
-}
-
 float gs_projectile_range_slope_theta_freef(float theta, float v, float g)
 {
     return (float)gs_projectile_range_slope_theta_free(gs_widen_angle(theta), (double)v, (double)g);
@@ -8447,12 +14600,6 @@ void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const
         slope[i] = gs_projectile_range_slope_theta_freef(theta[i], v[i], g[i]);
 }
 
-void gs_projectile_range_slope_theta_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_theta_drag(theta[i], v[i], g[i], k[i]);
-}
-
 float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k)
 {
     return (float)gs_projectile_range_slope_theta_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
@@ -8462,12 +14609,6 @@ void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const
 {
     for (size_t i = 0; i < n; i++)
         slope[i] = gs_projectile_range_slope_theta_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-void gs_projectile_range_slope_theta_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_theta(theta[i], v[i], g[i], k[i]);
 }
 
 float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k)
@@ -8483,7 +14624,7 @@ void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const floa
 
 /* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
-double gs_projectile_range_slope_k_free(double theta_in, double v_in, double g_in)
+double gs_scaled_projectile_range_slope_k_free(double theta_in, double v_in, double g_in)
 {
     if (isnan(theta_in) || isnan(v_in) || isnan(g_in))
         return NAN;
@@ -8500,7 +14641,7 @@ double gs_projectile_range_slope_k_free(double theta_in, double v_in, double g_i
 
 /* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
-double gs_projectile_range_slope_k_drag(double theta_in, double v_in, double g_in, double k_in)
+double gs_scaled_projectile_range_slope_k_drag(double theta_in, double v_in, double g_in, double k_in)
 {
     if (isnan(theta_in) || isnan(v_in) || isnan(g_in) || isnan(k_in))
         return NAN;
@@ -8517,17 +14658,6 @@ double gs_projectile_range_slope_k_drag(double theta_in, double v_in, double g_i
     return gs_settle(gs_scale(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), gs_range_loss(b)), g)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
-double gs_projectile_range_slope_k(double theta, double v, double g, double k)
-{
-    return gs_projectile_range_slope_k_drag(theta, v, g, k);
-}
-
-void gs_projectile_range_slope_k_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_k_free(theta[i], v[i], g[i]);
-}
-
 float gs_projectile_range_slope_k_freef(float theta, float v, float g)
 {
     return (float)gs_projectile_range_slope_k_free(gs_widen_angle(theta), (double)v, (double)g);
@@ -8539,12 +14669,6 @@ void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const flo
         slope[i] = gs_projectile_range_slope_k_freef(theta[i], v[i], g[i]);
 }
 
-void gs_projectile_range_slope_k_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_k_drag(theta[i], v[i], g[i], k[i]);
-}
-
 float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k)
 {
     return (float)gs_projectile_range_slope_k_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
@@ -8554,12 +14678,6 @@ void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const flo
 {
     for (size_t i = 0; i < n; i++)
         slope[i] = gs_projectile_range_slope_k_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-void gs_projectile_range_slope_k_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_k(theta[i], v[i], g[i], k[i]);
 }
 
 float gs_projectile_range_slope_kf(float theta, float v, float g, float k)
@@ -8575,7 +14693,7 @@ void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v
 
 /* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
  * Operations: 1 div, 1 mul. */
-double gs_projectile_max_range_free(double v_in, double g_in)
+double gs_scaled_projectile_max_range_free(double v_in, double g_in)
 {
     if (isnan(v_in) || isnan(g_in))
         return NAN;
@@ -8588,7 +14706,7 @@ double gs_projectile_max_range_free(double v_in, double g_in)
 
 /* stable.projectile.max_range.drag, the stable form of projectile.thm3, projectile.range.u.
  * Operations: 2 div, 3 mul, 1 table. */
-double gs_projectile_max_range_drag(double v_in, double g_in, double k_in)
+double gs_scaled_projectile_max_range_drag(double v_in, double g_in, double k_in)
 {
     if (isnan(v_in) || isnan(g_in) || isnan(k_in))
         return NAN;
@@ -8599,17 +14717,6 @@ double gs_projectile_max_range_drag(double v_in, double g_in, double k_in)
     const gs_scaled k = gs_load(k_in);
     const gs_scaled alpha = gs_div(gs_mul(v, k), g);
     return gs_settle(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-double gs_projectile_max_range(double v, double g, double k)
-{
-    return gs_projectile_max_range_drag(v, g, k);
-}
-
-void gs_projectile_max_range_free_n(size_t n, const double *v, const double *g, double *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_range_free(v[i], g[i]);
 }
 
 float gs_projectile_max_range_freef(float v, float g)
@@ -8623,12 +14730,6 @@ void gs_projectile_max_range_free_nf(size_t n, const float *v, const float *g, f
         range[i] = gs_projectile_max_range_freef(v[i], g[i]);
 }
 
-void gs_projectile_max_range_drag_n(size_t n, const double *v, const double *g, const double *k, double *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_range_drag(v[i], g[i], k[i]);
-}
-
 float gs_projectile_max_range_dragf(float v, float g, float k)
 {
     return (float)gs_projectile_max_range_drag((double)v, (double)g, (double)k);
@@ -8638,12 +14739,6 @@ void gs_projectile_max_range_drag_nf(size_t n, const float *v, const float *g, c
 {
     for (size_t i = 0; i < n; i++)
         range[i] = gs_projectile_max_range_dragf(v[i], g[i], k[i]);
-}
-
-void gs_projectile_max_range_n(size_t n, const double *v, const double *g, const double *k, double *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_range(v[i], g[i], k[i]);
 }
 
 float gs_projectile_max_rangef(float v, float g, float k)
@@ -8806,32 +14901,22 @@ void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, co
 }
 
 /* stable.projectile.best_angle, the stable form of projectile.thm3.
- * Operations: 1 table. */
-double gs_projectile_best_angle(double alpha_in)
+ * Operations: those of the primitive best_angle. */
+double gs_projectile_best_angle(double alpha)
 {
-    if (isnan(alpha_in))
-        return NAN;
-    if (!(gs_nonnegative(alpha_in)))
-        return gs_invalid();
-    const gs_scaled alpha = gs_load(alpha_in);
-    return gs_store(gs_best_elevation(alpha));
+    return gs_special_best_angle(alpha);
 }
-
 void gs_projectile_best_angle_n(size_t n, const double *alpha, double *angle)
 {
-    for (size_t i = 0; i < n; i++)
-        angle[i] = gs_projectile_best_angle(alpha[i]);
+    gs_special_best_angle_n(n, alpha, angle);
 }
-
 float gs_projectile_best_anglef(float alpha)
 {
-    return (float)gs_projectile_best_angle((double)alpha);
+    return gs_special_best_anglef(alpha);
 }
-
 void gs_projectile_best_angle_nf(size_t n, const float *alpha, float *angle)
 {
-    for (size_t i = 0; i < n; i++)
-        angle[i] = gs_projectile_best_anglef(alpha[i]);
+    gs_special_best_angle_nf(n, alpha, angle);
 }
 
 /* ---- roots.c ---- */

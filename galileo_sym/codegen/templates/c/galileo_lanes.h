@@ -1,0 +1,179 @@
+/* Arithmetic on pairs hi + lo, GS_LANES at a time, about 2^-100 relative, for arguments of ordinary size: there nothing
+ * overflows or underflows, and no flag is raised but 'inexact'. Other lanes are told apart first and go another way.
+ */
+#ifndef GALILEO_LANES_H
+#define GALILEO_LANES_H
+
+#include "galileo_pairs.h"
+
+typedef struct {
+    gs_v hi, lo;
+} gs_vp;
+
+/* Sine and cosine of |theta|, and what has the sign of theta. */
+typedef struct {
+    gs_vp s, c;
+    gs_v sign;
+} gs_turn;
+
+#if GS_LANES == 8
+static inline unsigned gs_bits_of(gs_mask m) { return m; }
+static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a | b; }
+static inline gs_mask gs_not(gs_mask a) { return (gs_mask)~a; }
+#elif GS_LANES == 4
+static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)_mm256_movemask_pd(m); }
+static inline gs_mask gs_either(gs_mask a, gs_mask b) { return _mm256_or_pd(a, b); }
+static inline gs_mask gs_not(gs_mask a) { return _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1))); }
+#else
+static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)m; }
+static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a || b; }
+static inline gs_mask gs_not(gs_mask a) { return !a; }
+#endif
+
+/* The first of `count` numbers and copies of the last, a vector in all. */
+static inline const double *gs_padded(double *pad, const double *x, size_t count)
+{
+    for (size_t j = 0; j < GS_LANES; j++)
+        pad[j] = x[j < count ? j : count - 1];
+    return pad;
+}
+
+/* Whether least <= x <= greatest; or 0, too. */
+static inline gs_mask gs_between(gs_v x, double least, double greatest)
+{
+    return gs_both(gs_at_least(x, gs_v_of(least)), gs_at_least(gs_v_of(greatest), x));
+}
+
+static inline gs_mask gs_between_or_0(gs_v x, double least, double greatest)
+{
+    const gs_v zero = gs_v_of(0.0);
+    return gs_either(gs_between(x, least, greatest), gs_both(gs_at_least(x, zero), gs_at_least(zero, x)));
+}
+
+static inline gs_vp gs_vp_of(gs_v hi, gs_v lo)
+{
+    const gs_vp r = {hi, lo};
+    return r;
+}
+
+/* a + b as a pair, where |a| >= |b| or a = 0. */
+static inline gs_vp gs_vp_sum(gs_v a, gs_v b)
+{
+    const gs_v s = gs_add(a, b);
+    return gs_vp_of(s, gs_rest(a, b, s));
+}
+
+static inline gs_vp gs_vp_load(gs_v x) { return gs_vp_of(x, gs_v_of(0.0)); }
+static inline gs_vp gs_vp_constant(double x) { return gs_vp_of(gs_v_of(x), gs_v_of(0.0)); }
+
+static inline gs_vp gs_vp_mul(gs_vp a, gs_vp b)
+{
+    const gs_v p = gs_mul(a.hi, b.hi);
+    return gs_vp_sum(p, gs_fma(a.hi, b.lo, gs_fma(a.lo, b.hi, gs_product_rest(a.hi, b.hi, p))));
+}
+
+/* One division: what the product with 1/b leaves is exact enough to be mended by it. */
+static inline gs_vp gs_vp_div(gs_vp a, gs_vp b)
+{
+    const gs_v inverse = gs_div(gs_v_of(1.0), b.hi);
+    const gs_v q = gs_mul(a.hi, inverse);
+    const gs_v rest = gs_fnma(q, b.lo, gs_add(gs_fnma(q, b.hi, a.hi), a.lo));
+    return gs_vp_sum(q, gs_mul(rest, inverse));
+}
+
+static inline gs_vp gs_vp_sqrt(gs_vp a)
+{
+    const gs_v s = gs_sqrt(a.hi);
+    const gs_v rest = gs_add(gs_fnma(s, s, a.hi), a.lo);
+    return gs_vp_sum(s, gs_div(rest, gs_add(s, s)));
+}
+
+static inline gs_vp gs_vp_add(gs_vp a, gs_vp b)
+{
+    const gs_v s = gs_add(a.hi, b.hi), t = gs_add(a.lo, b.lo);
+    const gs_vp first = gs_vp_sum(s, gs_add(gs_sum_rest(a.hi, b.hi, s), t));
+    return gs_vp_sum(first.hi, gs_add(first.lo, gs_sum_rest(a.lo, b.lo, t)));
+}
+
+static inline gs_vp gs_vp_sub(gs_vp a, gs_vp b)
+{
+    const gs_v minus = gs_v_of(-1.0);
+    return gs_vp_add(a, gs_vp_of(gs_mul(b.hi, minus), gs_mul(b.lo, minus)));
+}
+
+static inline gs_vp gs_vp_scaled(gs_vp a, double unit)
+{
+    return gs_vp_of(gs_mul(a.hi, gs_v_of(unit)), gs_mul(a.lo, gs_v_of(unit)));
+}
+
+@FACTORS@
+@TURN@
+/* Sine and cosine by the nearest of 16 angles up to pi/4, about 2^-62 relative. */
+static inline gs_turn gs_vp_angle(gs_v theta)
+{
+    const gs_v size = gs_abs(theta), zero = gs_v_of(0.0), big = gs_v_of(0x1.8p+52);
+    const gs_mask far = gs_at_least(size, gs_v_of(GS_QUARTER_TURN));
+    const gs_v left = gs_sub(gs_v_of(GS_HALF_TURN_0), size);
+    const gs_v y = gs_add(left, gs_v_of(GS_HALF_TURN_1));
+    const gs_v y_lo = gs_add(gs_sum_rest(left, gs_v_of(GS_HALF_TURN_1), y), gs_v_of(GS_HALF_TURN_2));
+    const gs_v x = gs_select(far, y, size), x_lo = gs_select(far, y_lo, zero);
+    const gs_v u = gs_fma(x, gs_v_of(GS_TURNS_A_RADIAN), big);
+    const gs_index i = gs_low_index(u);
+    const gs_v d = gs_fnma(gs_sub(u, big), gs_v_of(GS_TURN_STEP), x);
+    const gs_v s = gs_pick(gs_turn_sine, i), s_lo = gs_pick(gs_turn_sine_lo, i);
+    const gs_v c = gs_pick(gs_turn_cosine, i), c_lo = gs_pick(gs_turn_cosine_lo, i);
+    const gs_v q = gs_fma(d, d, gs_mul(gs_add(d, d), x_lo));
+    gs_v more = gs_fma(q, gs_v_of(0x1.71de3a556c734p-19), gs_v_of(-0x1.a01a01a01a01ap-13));
+    more = gs_fma(more, q, gs_v_of(0x1.1111111111111p-7));
+    more = gs_mul(gs_fma(more, q, gs_v_of(-0x1.5555555555555p-3)), q);
+    const gs_v over = gs_fma(d, more, x_lo); /* sin(d + x_lo) - d */
+    gs_v less = gs_fma(q, gs_v_of(0x1.a01a01a01a01ap-16), gs_v_of(-0x1.6c16c16c16c17p-10));
+    less = gs_fma(less, q, gs_v_of(0x1.5555555555555p-5));
+    less = gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q); /* cos(d + x_lo) - 1 */
+    const gs_v p = gs_mul(c, d), m = gs_mul(s, d);
+    const gs_v h = gs_add(s, p), k = gs_sub(c, m);
+    const gs_v h_lo = gs_add(gs_rest(s, p, h), gs_product_rest(c, d, p));
+    const gs_v k_lo = gs_sub(gs_sub(gs_sub(c, k), m), gs_product_rest(s, d, m));
+    const gs_v h_more = gs_fma(s, less, gs_fma(c, over, gs_fma(c_lo, d, s_lo)));
+    const gs_v k_more = gs_fma(c, less, gs_fnma(s, over, gs_fnma(s_lo, d, c_lo)));
+    const gs_vp sine = gs_vp_sum(h, gs_add(h_lo, h_more)), cosine = gs_vp_sum(k, gs_add(k_lo, k_more));
+    const gs_turn r = {
+        {gs_select(far, cosine.hi, sine.hi), gs_select(far, cosine.lo, sine.lo)},
+        {gs_select(far, sine.hi, cosine.hi), gs_select(far, sine.lo, cosine.lo)},
+        theta,
+    };
+    return r;
+}
+
+static inline gs_vp gs_vp_sine(gs_turn a) { return gs_vp_of(gs_flip(a.s.hi, a.sign), gs_flip(a.s.lo, a.sign)); }
+static inline gs_vp gs_vp_cosine(gs_turn a) { return a.c; }
+
+/* cos(theta) - mu sin(|theta|), where it is 2^-5 of the cosine or more; 1 where friction holds the bead. */
+static inline gs_vp gs_vp_driving(gs_turn a, gs_vp mu, gs_mask *good, gs_mask *held)
+{
+    const gs_vp n = gs_vp_sub(a.c, gs_vp_mul(mu, a.s));
+    const gs_v one = gs_v_of(1.0), zero = gs_v_of(0.0);
+    const gs_mask clear = gs_at_least(gs_abs(n.hi), gs_mul(a.c.hi, gs_v_of(0x1p-5)));
+    const gs_mask moves = gs_both(clear, gs_less(zero, n.hi));
+    *good = gs_both(*good, clear);
+    *held = gs_not(moves);
+    return gs_vp_of(gs_select(moves, n.hi, one), gs_select(moves, n.lo, zero));
+}
+
+/* exp(-z), z below 512 */
+static inline gs_vp gs_vp_phi0m(gs_vp z, gs_mask *good)
+{
+    const gs_mask here = gs_less(z.hi, gs_v_of(512.0));
+    gs_vp r;
+    *good = gs_both(*good, here);
+    r.hi = gs_exp_minus_range0_pair(gs_select(here, z.hi, gs_v_of(0.0)), gs_select(here, z.lo, gs_v_of(0.0)), &r.lo);
+    return r;
+}
+
+/* b exp(-T)/(T - b), T = (1 + b)(1 - exp(-T)): exp(-b) times what grows like b/e. */
+static inline gs_vp gs_vp_range_balance(gs_vp b, gs_mask *good)
+{
+    return gs_vp_mul(gs_vp_phi0m(b, good), gs_vp_grown_balance(b));
+}
+
+#endif
