@@ -6,7 +6,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 
 .DEFAULT_GOAL := all
-.PHONY: all install test mutants coverage tables exhaustive same-bits hard-cases prove prove-check large-samples lint format clean help
+.PHONY: all install test mutants coverage tables exhaustive same-bits hard-cases prove prove-check large-samples bench lint format clean help
 
 all: install ## install, then derive, emit and verify everything
 	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
@@ -52,6 +52,9 @@ prove-check: install ## refuse proved bounds that are of another C
 
 large-samples: install ## verify every public function at 100000 points a stratum; goes on where it was interrupted
 	$(BIN)/python tools/large_samples.py
+
+bench: install ## measure run time against error, beside peers, and renew docs/benchmark.md and its plot
+	$(BIN)/galileo-sym bench --peers --publish
 
 lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .

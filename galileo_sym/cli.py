@@ -19,6 +19,7 @@ examples:
   galileo-sym derive --graph -o build       draw what is derived from what
   galileo-sym emit --check                  say what in generated/ differs from what would be emitted now
   galileo-sym verify chord.distance --points 5000
+  galileo-sym bench --quick                 run time against error, roughly
   galileo-sym all                           derive, emit, verify
 """
 
@@ -94,12 +95,25 @@ def parser() -> argparse.ArgumentParser:
     verify.add_argument("--update", action="store_true", help="renew the certificates")
     verify.add_argument("--typed-in", action="store_true", help="beside it, the printed formulas by lambdify and SciPy")
 
+    bench = commands.add_parser(
+        "bench", help="measure run time against error, beside what else there is", allow_abbrev=False
+    )
+    bench.add_argument("--peers", action="store_true", help="beside it, the printed formulas with other libraries' W")
+    bench.add_argument("--functions", nargs="+", default=[], metavar="NAME", help="functions, papers, special; or all")
+    bench.add_argument("--rounds", type=_positive, metavar="N", help="interleaved rounds")
+    bench.add_argument("--points", type=_positive, metavar="N", help="elements of an array")
+    bench.add_argument("--quick", action="store_true", help="fewer rounds, shorter arrays, fewer sampled points")
+    bench.add_argument("--growth", action="store_true", help="time arrays from 1 to 1e8 elements")
+    bench.add_argument("--strict", action="store_true", help="exit 1 if a target is not held, too")
+    bench.add_argument("--publish", action="store_true", help="renew docs/benchmark.md and its plot")
+    bench.add_argument("-o", "--output", metavar="DIR", help="write JSON and plot there instead of build/bench")
+
     everything = commands.add_parser("all", help="derive, emit, verify", allow_abbrev=False)
     for command in (derive, everything):
         command.add_argument(
             "--fresh", action="store_true", help="derive all anew, also what an earlier run has proved"
         )
-    for command in (derive, emit, verify, everything):
+    for command in (derive, emit, verify, bench, everything):
         command.add_argument("--json", action="store_true", help="print JSON")
     return top
 

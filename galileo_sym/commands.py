@@ -8,6 +8,7 @@ import sys
 from contextlib import nullcontext, redirect_stdout
 from importlib.util import find_spec
 from io import StringIO
+from pathlib import Path
 
 from galileo_sym.names import UnknownEntry
 from galileo_sym.progress import progress_bar
@@ -136,6 +137,40 @@ def _contenders():
     return [TypedIn()]
 
 
+_FOR_BENCH = {
+    "flint": "errors are measured against Arb by python-flint: pip install python-flint",
+    "scipy": "printed formulas are evaluated with SciPy: pip install scipy",
+}
+
+
+def bench(options) -> int:
+    """Measure run time against error."""
+    for package, need in _FOR_BENCH.items():
+        if find_spec(package) is None:
+            raise UsageError(need)
+    docs = Path("docs")
+    if options.publish and not docs.is_dir():
+        raise UsageError("--publish renews a page in docs/: run it at the top of the repository")
+    if options.publish and find_spec("matplotlib") is None:
+        raise UsageError("--publish draws with matplotlib: pip install matplotlib")
+    from galileo_sym.bench.run import run
+
+    with _bar(options, "bench") as progress:
+        return run(
+            options.functions,
+            rounds=options.rounds,
+            points=options.points,
+            quick=options.quick,
+            with_peers=options.peers,
+            with_growth=options.growth,
+            strict=options.strict,
+            output=options.output,
+            publish=docs if options.publish else None,
+            json_output=options.json,
+            progress=progress,
+        )
+
+
 DEFAULTS = {
     "names": [],
     "show": False,
@@ -168,4 +203,4 @@ def everything(options) -> int:
     return 1 if failed else 0
 
 
-COMMANDS = {"derive": derive, "emit": emit, "verify": verify, "all": everything}
+COMMANDS = {"derive": derive, "emit": emit, "verify": verify, "bench": bench, "all": everything}

@@ -144,7 +144,7 @@ def kept_library(sources, compiler, flags=FLAGS):
             if not kept.exists():
                 _compile_whole(sources, kept, compiler, flags)
             os.utime(kept)
-            _forget(kept.parent)
+            forget_old(kept.parent)
         return kept
     except OSError as problem:
         print(
@@ -164,8 +164,8 @@ def _compile_whole(sources, kept, compiler, flags):
         os.replace(made, kept)
 
 
-def _forget(folder):
-    """Remove what was not asked for in a long time."""
+def forget_old(folder):
+    """Remove the libraries in a folder that were not asked for in a long time."""
     for path in folder.glob("*.so"):
         with contextlib.suppress(OSError):  # another process removed it
             if path.stat().st_mtime < time.time() - FORGET:

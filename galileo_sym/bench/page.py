@@ -1,0 +1,60 @@
+"""The dated page of a benchmark: targets, times and errors, growth, and what was missing."""
+
+from . import report
+from .contestants import References
+from .core import ARRAYS, BASE
+
+_HEAD = """\
+# Run time against error
+
+Made by `make bench` on {date}; not written by hand. {machine}; load {load} at the start, Python {python}, {compiler};
+{versions}.
+
+![Time an element against the largest error](benchmark.svg)
+
+One run of {rounds} interleaved rounds: every contestant once a round, the order rotated; {points} doubles in cache,
+medians. × exp is the time over that of `numpy.exp` on as many doubles in the same round ({exp} ns an element); shared
+machines are noisy, so compare these. All arguments are arrays, but in the column "numbers", where those after the
+positional ones are numbers. Errors are sampled maxima at {sample} other points, so lower bounds, in ulp of the format;
+"lost" is the share of points without a number where there is one, or with one where there is none.
+
+Contestants: the emitted C through {way}, and the emitted NumPy code, in both formats; the references of
+`galileo_sym.verify` (ball arithmetic, mpmath for special functions; {most} elements); `sympy.lambdify` of the printed
+formulas, or of what follows from them by a derivative; SciPy's own functions and its bracketing solver; and the printed
+formulas compiled with other libraries' Lambert W, for this processor.
+"""
+
+
+def _markdown(headings, lines):
+    return "\n".join(["| " + " | ".join(cells) + " |" for cells in (headings, ["---"] * len(headings), *lines)])
+
+
+def page(document):
+    """The page of a `Document`, as Markdown."""
+    stamp = dict(document.stamp)
+    known = {name: stamp.pop(name) for name in ("date", "machine", "load", "python", "compiler")}
+    exp = sorted(row.ns.median for row in document.rows if (row.contestant, row.layout) == (BASE, ARRAYS))
+    head = _HEAD.format(
+        **known,
+        versions=", ".join(f"{name} {text}" for name, text in stamp.items()),
+        **document.size._asdict(),
+        exp=report.number(exp[len(exp) // 2]),
+        way=document.way,
+        most=References.most,
+    )
+    parts = [
+        head,
+        "## Targets\n\n" + _markdown(report.TARGET_HEADINGS, report.target_cells(document.targets)),
+        "## Times and errors\n\n" + _markdown(report.ROW_HEADINGS, report.row_cells(document.rows)),
+    ]
+    if document.scalings:
+        cells = report.scaling_cells(document.scalings)
+        parts.append("## Two threads\n\n" + _markdown(("case", "way", "elements", "gain", ""), cells))
+    if document.points:
+        headings, *lines = report.growth_cells(document.points)
+        parts.append("## Growth\n\n" + _markdown(headings, lines))
+    cells = [(key, report.number(spread.median)) for key, spread in document.latencies.items()]
+    parts.append("## Calls with numbers\n\n" + _markdown(("case", "ns"), cells))
+    if document.notes:
+        parts.append("## Missing\n\n" + "\n".join(f"- {sentence}" for sentence in document.notes))
+    return "\n\n".join(parts) + "\n"
