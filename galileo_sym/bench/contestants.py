@@ -24,20 +24,21 @@ class Contestant:
         In tables and in JSON.
     single : bool
         Whether it computes in binary32.
-    scalars : bool
-        Whether it takes numbers in the place of arrays.
     most : int or None
         Elements it is timed on at most, because it is slow.
     """
 
     name = ""
     single = False
-    scalars = True
     most = None
 
     def serves(self, case):
         """Whether it has the function of a case."""
         raise NotImplementedError
+
+    def takes_numbers(self, case):
+        """Whether the arguments after the positional ones may be numbers."""
+        return True
 
     def prepare(self, case, arguments):
         """A call without arguments that evaluates a case, all else done before.
@@ -131,20 +132,27 @@ class ArrayFunctions(_Ours):
 
     back_end = "C"
     way = "its array functions, by ctypes"
-    scalars = False
 
     def __init__(self, single=False):
         super().__init__(single)
         self._functions = _library()
 
-    def _bound(self, case, given, out):
+    def takes_numbers(self, case):
+        return hasattr(self._functions, self._symbol(case, "nu"))
+
+    def _symbol(self, case, form):
         suffix = f"_{case.force_set}" if case.force_set else ""
-        routine = self._functions[f"gs_{case.paper}_{case.name}{suffix}_n{'f' * self.single}"]
+        return f"gs_{case.paper}_{case.name}{suffix}_{form}{'f' * self.single}"
+
+    def _bound(self, case, given, out):
+        values = [given[name] for name in case.arguments]
+        numbers = any(not isinstance(x, np.ndarray) for x in values)
+        routine = self._functions[self._symbol(case, "nu" if numbers else "n")]
         routine.restype = None
-        outputs = out if isinstance(out, tuple) else (out,)
-        arrays = [*(given[name] for name in case.arguments), *outputs]
-        pointers = [ctypes.c_void_p(array.ctypes.data) for array in arrays]
-        call = partial(routine, ctypes.c_size_t(arrays[0].size), *pointers)
+        number = ctypes.c_float if self.single else ctypes.c_double
+        arrays = [*values, *(out if isinstance(out, tuple) else (out,))]
+        words = [ctypes.c_void_p(x.ctypes.data) if isinstance(x, np.ndarray) else number(x) for x in arrays]
+        call = partial(routine, ctypes.c_size_t(arrays[-1].size), *words)
 
         def run():
             call()
@@ -157,9 +165,11 @@ class ArrayFunctions(_Ours):
 class References(Contestant):
     """The certain references that errors are measured against: ball arithmetic, for special functions mpmath."""
 
-    name = "multiprecision (verify's references)"
+    name = "verify's references"
     most = 32
-    scalars = False
+
+    def takes_numbers(self, case):
+        return False
 
     def serves(self, case):
         return True

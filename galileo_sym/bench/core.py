@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from . import accuracy
-from .timing import Job, against, interleaved
+from .timing import Job, against, fitting, interleaved
 
 BASE = "numpy.exp"
 ARRAYS, SCALARS = "arrays", "scalars"
+_PATIENCE = 2e7  # ns: slow contestants get fewer elements, so that a call takes no longer
 
 
 class Row(NamedTuple):
@@ -87,7 +88,7 @@ def with_scalars(case, arguments):
 def layouts(case, contestant, arguments):
     """The forms in which a contestant is called on a case: arguments by layout."""
     found = {ARRAYS: arguments}
-    if contestant.scalars and case.positional and len(case.positional) < len(case.arguments):
+    if 0 < len(case.positional) < len(case.arguments) and contestant.takes_numbers(case):
         found[SCALARS] = with_scalars(case, arguments)
     return found
 
@@ -112,15 +113,26 @@ def errors(cases, contestants, own, size, found):
     return wrong
 
 
+def _first(arguments, count):
+    """So many elements of the arrays among arguments."""
+    return {name: x[:count] if isinstance(x, np.ndarray) else x for name, x in arguments.items()}
+
+
 def jobs(case, contestants, wrong, points):
     """What is timed of a case: jobs by contestant and layout, and the base."""
     drawn = case.points(points)
     made = {(BASE, ARRAYS): exponential(points)}
     for one in contestants:
-        if (case.key, one.name) in wrong:
-            count = min(points, one.most or points)
-            for layout, arguments in layouts(case, one, {name: x[:count] for name, x in drawn.items()}).items():
-                made[one.name, layout] = Job(one.prepare(case, arguments), count)
+        if (case.key, one.name) not in wrong:
+            continue
+        most = min(points, one.most or points)
+        for layout, arguments in layouts(case, one, drawn).items():
+
+            def make(count, one=one, arguments=arguments):
+                return one.prepare(case, _first(arguments, count))
+
+            count = fitting(make, most, _PATIENCE)
+            made[one.name, layout] = Job(make(count), count)
     return made
 
 
@@ -143,9 +155,9 @@ def measure(cases, contestants, own, size, progress: Callable | None = None):
     """
     found = Found()
     wrong = errors(cases, contestants, own, size, found)
-    groups = {case.key: jobs(case, contestants, wrong, size.points) for case in cases}
     with np.errstate(all="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore")
+        groups = {case.key: jobs(case, contestants, wrong, size.points) for case in cases}
         samples = interleaved(groups, size.rounds, progress)
     for key, made in groups.items():
         timings = against(samples[key], (BASE, ARRAYS))

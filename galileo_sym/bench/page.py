@@ -14,9 +14,10 @@ Made by `make bench` on {date}; not written by hand. {machine}; load {load} at t
 
 One run of {rounds} interleaved rounds: every contestant once a round, the order rotated; {points} doubles in cache,
 medians. × exp is the time over that of `numpy.exp` on as many doubles in the same round ({exp} ns an element); shared
-machines are noisy, so compare these. All arguments are arrays, but in the column "numbers", where those after the
-positional ones are numbers. Errors are sampled maxima at {sample} other points, so lower bounds, in ulp of the format;
-"lost" is the share of points without a number where there is one, or with one where there is none.
+machines are noisy, so compare these. "Spread" is the widest distance of quartiles in a line, as a share of the median.
+Errors are sampled maxima at {sample} other points, so lower bounds, in ulp of the format; "lost" is the share of points
+without a number where there is one, or with one where there is none. Inputs are drawn as `galileo-sym verify` draws
+them ("typical" unless the case says so); a special function's evenly over its usual arguments.
 
 Contestants: the emitted C through {way}, and the emitted NumPy code, in both formats; the references of
 `galileo_sym.verify` (ball arithmetic, mpmath for special functions; {most} elements); `sympy.lambdify` of the printed
@@ -25,7 +26,7 @@ formulas compiled with other libraries' Lambert W, for this processor.
 """
 
 
-def _markdown(headings, lines):
+def _markdown(headings, *lines):
     return "\n".join(["| " + " | ".join(cells) + " |" for cells in (headings, ["---"] * len(headings), *lines)])
 
 
@@ -42,19 +43,7 @@ def page(document):
         way=document.way,
         most=References.most,
     )
-    parts = [
-        head,
-        "## Targets\n\n" + _markdown(report.TARGET_HEADINGS, report.target_cells(document.targets)),
-        "## Times and errors\n\n" + _markdown(report.ROW_HEADINGS, report.row_cells(document.rows)),
-    ]
-    if document.scalings:
-        cells = report.scaling_cells(document.scalings)
-        parts.append("## Two threads\n\n" + _markdown(("case", "way", "elements", "gain", ""), cells))
-    if document.points:
-        headings, *lines = report.growth_cells(document.points)
-        parts.append("## Growth\n\n" + _markdown(headings, lines))
-    cells = [(key, report.number(spread.median)) for key, spread in document.latencies.items()]
-    parts.append("## Calls with numbers\n\n" + _markdown(("case", "ns"), cells))
+    parts = [head, *(f"## {title}\n\n{_markdown(*lines)}" for title, lines in report.tables(document).items())]
     if document.notes:
         parts.append("## Missing\n\n" + "\n".join(f"- {sentence}" for sentence in document.notes))
     return "\n\n".join(parts) + "\n"

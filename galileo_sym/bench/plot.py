@@ -24,7 +24,7 @@ _LOOKS = {  # colours that are told apart by everyone; shapes tell back ends and
     "C, float32": ("#0072b2", "s"),
     "NumPy": ("#56b4e9", "o"),
     "NumPy, float32": ("#56b4e9", "s"),
-    "multiprecision (verify's references)": ("#666666", "P"),
+    "verify's references": ("#666666", "P"),
     "lambdify": ("#d55e00", "D"),
     "SciPy": ("#e69f00", "v"),
     "C, Boost's W": ("#009e73", "^"),
@@ -35,7 +35,7 @@ _LEAST, _MOST = 0.3, 1e20  # errors beyond are drawn at the edge
 _PER_LINE = 4
 _CAPTION = (
     "Largest error sampled (a lower bound), in ulp of the format, against time an element. Filled: typical inputs; "
-    "open: tiny drag. Errors above 1e20 are drawn there."
+    "open: tiny drag. Errors above 1e20 are drawn there. {date}; {machine}."
 )
 
 
@@ -62,12 +62,14 @@ def _draw_panel(axes, title, rows):
             axes.plot(*zip(*map(_place, of_name), strict=True), color=colour, linewidth=0.6, alpha=0.6)
 
 
-def pareto(rows, target):
+def pareto(rows, stamp, target):
     """Draw time against error, a panel for each function that was measured, and write it as SVG.
 
     Parameters
     ----------
     rows : list of Row
+    stamp : dict
+        Date and machine.
     target : Path
 
     Returns
@@ -97,7 +99,7 @@ def pareto(rows, target):
         there = [name for name in _LOOKS if any(row.contestant == name for row in rows)]
         handles = [mpl.lines.Line2D([], [], color=_LOOKS[n][0], marker=_LOOKS[n][1], linestyle="none") for n in there]
         figure.legend(handles, there, loc="outside lower center", ncols=min(5, len(there)), frameon=False)
-        figure.suptitle(_CAPTION, fontsize=8)
+        figure.suptitle(_CAPTION.format(**stamp), fontsize=8)
         _write(figure, target)
     return True
 

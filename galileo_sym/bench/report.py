@@ -27,30 +27,45 @@ def number(value):
     return f"{value:.{max(0, 2 - math.floor(math.log10(abs(value))))}f}" if value else "0"
 
 
-def shown_error(ulp, lost):
+def _ratio(row):
+    return number(row.ratio.median)
+
+
+def _error(row):
     """An error as a lower bound of the true maximum, with the share of results that are no numbers."""
-    text = "-" if math.isnan(ulp) else f"≥ {number(ulp)}"
-    return f"{text}, {lost:.0%} lost" if lost else text
+    text = "-" if math.isnan(row.ulp) else f"≥ {number(row.ulp)}"
+    return f"{text}, {row.lost:.0%} lost" if row.lost else text
 
 
-def row_cells(rows):
-    """Cells of the table of rows, a line for each case and contestant; the base apart."""
-    scalars = {(row.case, row.contestant): row.ratio.median for row in rows if row.layout == SCALARS}
-    for row in rows:
-        if row.layout != ARRAYS or row.contestant == BASE:
-            continue
-        yield (
-            row.case,
-            row.contestant,
-            number(row.ns.median),
-            f"{number(row.ns.low)} to {number(row.ns.high)}",
-            number(row.ratio.median),
-            number(scalars.get((row.case, row.contestant), math.nan)),
-            shown_error(row.ulp, row.lost),
-        )
+def _pivoted(rows, heading, cell):
+    """A line for each case, a column for each contestant, and the headings above."""
+    names = list(dict.fromkeys(row.contestant for row in rows))
+    found = {(row.case, row.contestant): cell(row) for row in rows}
+    yield (heading, *names)
+    for case in dict.fromkeys(row.case for row in rows):
+        yield case, *(found.get((case, name), "-") for name in names)
 
 
-ROW_HEADINGS = ("case", "contestant", "ns", "quartiles", "× exp", "× exp, numbers", "max ulp")
+def _with_spread(lines, rows):
+    """With a last column: the widest quartiles of a line, as a share of the median."""
+    headings, *lines = lines
+    yield (*headings, "spread")
+    for line in lines:
+        widest = max((r.ratio.high - r.ratio.low) / r.ratio.median for r in rows if r.case == line[0])
+        yield (*line, f"{widest:.0%}")
+
+
+def row_tables(rows):
+    """Tables of all rows: by title, lines of cells with the headings first."""
+    rows = [row for row in rows if row.contestant != BASE]
+    arrays, numbers = ([row for row in rows if row.layout == layout] for layout in (ARRAYS, SCALARS))
+    times, fixed = _pivoted(arrays, "arrays", _ratio), _pivoted(numbers, "arrays, then numbers", _ratio)
+    found = {
+        "Time, × exp: all arguments arrays": _with_spread(times, arrays),
+        "Time, × exp: numbers after the positional arguments": _with_spread(fixed, numbers),
+        "Largest error sampled, ulp": _pivoted(arrays, "arrays", _error),
+    }
+    return {title: list(lines) for title, lines in found.items()}
 
 
 def target_cells(targets):
@@ -62,14 +77,13 @@ def target_cells(targets):
 TARGET_HEADINGS = ("target", "limit", "measured", "")
 
 
-def scaling_cells(scalings):
-    """Cells of the table of threads."""
+def _scaling_cells(scalings):
     for one in scalings:
         same = "same bits" if one.same else "other bits"
         yield one.case, one.way, str(one.count), f"{number(one.gain.median)} times", same
 
 
-def growth_cells(points):
+def _growth_cells(points):
     """A line for each case and contestant, a column for each number of elements, in ns an element."""
     sizes = sorted({point.count for point in points})
     found = {(point.case, point.contestant, point.count): point.ns.median for point in points}
@@ -78,28 +92,25 @@ def growth_cells(points):
         yield case, name, *(number(found.get((case, name, size), math.nan)) for size in sizes)
 
 
+def tables(document):
+    """All tables of a `Document`: by title, lines of cells with the headings first; empty ones are left out."""
+    found = {
+        "Targets": [TARGET_HEADINGS, *target_cells(document.targets)],
+        **row_tables(document.rows),
+        "Two threads": [("case", "way", "elements", "gain", "result"), *_scaling_cells(document.scalings)],
+        "Growth": list(_growth_cells(document.points)),
+        "Calls with numbers": [("case", "ns"), *((k, number(s.median)) for k, s in document.latencies.items())],
+    }
+    return {title: lines for title, lines in found.items() if len(lines) > 1}
+
+
 def text(document):
-    """Tables for the terminal.
-
-    Parameters
-    ----------
-    document : Document
-
-    Returns
-    -------
-    str
-    """
-    parts = [columns([ROW_HEADINGS, *row_cells(document.rows)])]
-    if document.scalings:
-        parts.append(columns([("two threads", "way", "elements", "gain", ""), *scaling_cells(document.scalings)]))
-    if document.points:
-        parts.append(columns(list(growth_cells(document.points))))
-    cells = [(key, number(spread.median)) for key, spread in document.latencies.items()]
-    parts.append(columns([("call with numbers", "ns"), *cells]))
-    parts.append(columns([TARGET_HEADINGS, *target_cells(document.targets)]))
-    parts += [f"missing: {sentence}" for sentence in document.notes]
-    parts += [f"problem: {sentence}" for sentence in document.problems]
-    return "\n\n".join([*parts, summary(document)])
+    """Tables for the terminal, the targets last."""
+    found = tables(document)
+    parts = [f"{title}\n{columns(found[title])}" for title in [*list(found)[1:], "Targets"]]
+    parts.append("\n".join(f"missing: {sentence}" for sentence in document.notes))
+    parts.append("\n".join(f"problem: {sentence}" for sentence in document.problems))
+    return "\n\n".join([*filter(None, parts), summary(document)])
 
 
 def summary(document):

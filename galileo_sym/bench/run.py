@@ -186,10 +186,10 @@ def _write(document, folder, publish):
     """Write JSON, plot and page; what was written."""
     write_whole(folder / "bench.json", (report.as_json(document) + "\n").encode())
     written = [folder / "bench.json"]
-    if plot.can_plot() and plot.pareto(document.rows, folder / "bench.svg"):
+    if plot.can_plot() and plot.pareto(document.rows, document.stamp, folder / "bench.svg"):
         written.append(folder / "bench.svg")
     if publish is not None:
         write_whole(publish / "benchmark.md", page(document).encode())
-        plot.pareto(document.rows, publish / "benchmark.svg")
+        plot.pareto(document.rows, document.stamp, publish / "benchmark.svg")
         written += [publish / "benchmark.md", publish / "benchmark.svg"]
     return written

@@ -111,6 +111,7 @@ def of_rows(rows):
         gain = table.times(case, BOOST, OURS)
         found.append(_at_least(f"{case}: faster than C with Boost's W", THAN_BOOST[case], gain, "times"))
         found.append(_at_least(f"{case}: float32 gains", SINGLE_GAIN, table.times(case, OURS, SINGLE), "times"))
+    for case in here:
         found.append(_at_most(f"{case}: NumPy back end loses", NUMPY_LOSS, table.times(case, NUMPY, OURS), "times"))
     wrong = [table.ulp(case, OURS) for case in table.cases(OURS)]
     found.append(_at_most("every case: error", MOST_ULP, max(wrong, default=math.nan), "ulp"))

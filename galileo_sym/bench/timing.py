@@ -9,6 +9,8 @@ import numpy as np
 
 _LEAST = 100_000  # ns: a shorter job is repeated within one measurement, so that the clock's own cost is small
 _MOST_REPEATS = 1000
+_TRIED = 1000
+_LONG = 10_000_000  # ns: a longer job finds nothing in the cache anyway
 
 
 @dataclass(frozen=True)
@@ -47,11 +49,12 @@ def _elapsed(job, repeats):
     return (time.perf_counter_ns() - start) / (repeats * job.count)
 
 
-def _repeats(job):
-    """How often a job is called in one measurement."""
-    job.call()
-    once = max(1.0, _elapsed(job, 1) * job.count)
-    return int(min(_MOST_REPEATS, max(1, _LEAST // once)))
+def _plan(job):
+    """How often a job is called in one measurement, and whether it is called once before: what is long need not be."""
+    once = _elapsed(job, 1) * job.count
+    if once < _LONG:
+        once = max(1.0, _elapsed(job, 1) * job.count)
+    return int(min(_MOST_REPEATS, max(1, _LEAST // once))), once < _LONG
 
 
 def interleaved(groups, rounds, progress=None):
@@ -71,7 +74,7 @@ def interleaved(groups, rounds, progress=None):
     dict of (object to dict of (str to list of float))
         Nanoseconds an element, one number a round.
     """
-    repeats = {place: {name: _repeats(job) for name, job in jobs.items()} for place, jobs in groups.items()}
+    plans = {place: {name: _plan(job) for name, job in jobs.items()} for place, jobs in groups.items()}
     found = {place: {name: [] for name in jobs} for place, jobs in groups.items()}
     collecting = gc.isenabled()
     gc.disable()
@@ -79,15 +82,33 @@ def interleaved(groups, rounds, progress=None):
         for done in range(rounds):
             for place in rotated(list(groups), done):
                 for name in rotated(list(groups[place]), done):
-                    job = groups[place][name]
-                    job.call()  # what ran before has left other data in the cache
-                    found[place][name].append(_elapsed(job, repeats[place][name]))
+                    job, (repeats, warm) = groups[place][name], plans[place][name]
+                    if warm:
+                        job.call()  # what ran before has left other data in the cache
+                    found[place][name].append(_elapsed(job, repeats))
             if progress is not None:
                 progress(done + 1, rounds, "")
     finally:
         if collecting:
             gc.enable()
     return found
+
+
+def fitting(make, count, limit):
+    """The largest number of elements, up to `count`, of which one call takes no longer than a limit.
+
+    Parameters
+    ----------
+    make : callable
+        Takes a number of elements, gives a call without arguments.
+    count : int
+    limit : float
+        Nanoseconds; estimated from a call of at most a thousand elements.
+    """
+    tried = min(count, _TRIED)
+    job = Job(make(tried), tried)
+    job.call()
+    return max(1, min(count, int(limit / max(_elapsed(job, 1), 1e-3))))
 
 
 def rotated(items, by):

@@ -40,9 +40,11 @@ def test_a_quick_run(place, capsys):
     assert {point["count"] for point in found["points"]} == {1, 10}
     assert any(one["text"] == "import beyond NumPy" for one in found["targets"])
     page = (place / "docs" / "benchmark.md").read_text()
-    assert "| lambert.w0 | NumPy |" in page
+    assert "| lambert.w0 | " in page
     assert found["stamp"]["date"] in page
-    assert "<svg" in (place / "docs" / "benchmark.svg").read_text()
+    drawing = (place / "docs" / "benchmark.svg").read_text()
+    assert "<svg" in drawing
+    assert found["stamp"]["date"] in drawing
 
 
 def test_a_table_for_people_and_a_failure_of_ours(place, capsys, monkeypatch):

@@ -78,8 +78,6 @@ PEERS = (
 class Compiled(Contestant):
     """A peer that was built."""
 
-    scalars = False
-
     def __init__(self, peer, path, kernels):
         self.name = peer.name
         self._library = ctypes.CDLL(str(path))
@@ -87,6 +85,9 @@ class Compiled(Contestant):
 
     def serves(self, case):
         return (case.full_name, case.force_set) in self._has
+
+    def takes_numbers(self, case):
+        return False
 
     def prepare(self, case, arguments):
         given = [np.ascontiguousarray(arguments[name], dtype=float) for name in case.arguments]
