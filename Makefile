@@ -4,6 +4,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
+BUILT_OF := CMakeLists.txt $(wildcard generated/c/*.[ch] generated/extension/*.[ch])
 
 .DEFAULT_GOAL := all
 .PHONY: all install test mutants coverage tables exhaustive same-bits hard-cases prove prove-check large-samples bench lint format clean help
@@ -15,7 +16,7 @@ all: install ## install, then derive, emit and verify everything
 
 install: $(STAMP) ## make .venv with the package and its extras
 
-$(STAMP): pyproject.toml
+$(STAMP): pyproject.toml $(BUILT_OF)
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[all,test,lint]'
 	@touch $(STAMP)

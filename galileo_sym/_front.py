@@ -1,73 +1,15 @@
-"""What the public functions share: dtypes, broadcasting, out=, where=; the kernels themselves are emitted."""
+"""What the public functions share: numbers, forces that are 0, out=, where=, arrays of other libraries."""
 
 import numpy as np
 
-from galileo_sym.generated._lines import to_odd
-from galileo_sym.generated._tables import HALF_PI
+from galileo_sym import _backend
+from galileo_sym._types import PYTHON_NUMBERS, as_operand, asked_dtype, common_dtype, is_foreign
+from galileo_sym.generated._functions import FUNCTIONS
 
-_DOUBLE, _SINGLE = np.dtype(np.float64), np.dtype(np.float32)
-_PYTHON_NUMBERS = (bool, int, float, complex)
 _CASTINGS = ("no", "equiv", "safe", "same_kind", "unsafe")
 
 
-def _refuse_mask(value):
-    if isinstance(value, np.ma.MaskedArray):
-        raise TypeError(
-            "masked arrays are not supported, their mask would be lost: pass a.filled(numpy.nan), or a.data with "
-            "where=~numpy.ma.getmaskarray(a)"
-        )
-
-
-def _operand(value):
-    """A Python number as it is (NEP 50: it takes the dtype of the others), anything else as an array."""
-    if type(value) is int:
-        return float(value)  # it may be beyond every integer dtype
-    _refuse_mask(value)
-    return value if type(value) in _PYTHON_NUMBERS else np.asarray(value)
-
-
-def _serve_dtype(found):
-    """Return the dtype that serves another one: float64 for bool and integers, float32 for half precision."""
-    if found.kind in "biu":
-        return _DOUBLE
-    if found.kind == "f" and found.itemsize <= _DOUBLE.itemsize:
-        return max(found.newbyteorder("="), _SINGLE, key=lambda d: d.itemsize)
-    raise TypeError(f"arguments of type {found} are not supported: convert them to float64 or float32")
-
-
-def _common_dtype(operands, dtype, casting):
-    if casting not in _CASTINGS:
-        raise ValueError(f"casting must be one of {', '.join(map(repr, _CASTINGS))}, not {casting!r}")
-    for operand in operands:
-        _serve_dtype(np.result_type(operand))
-    if dtype is None:
-        return _serve_dtype(np.result_type(*operands))
-    wanted = np.dtype(dtype)
-    if wanted not in (_DOUBLE, _SINGLE):
-        raise TypeError(f"dtype={wanted} is not supported: ask for float64 or float32")
-    for operand in operands:
-        if not isinstance(operand, _PYTHON_NUMBERS) and not np.can_cast(operand.dtype, wanted, casting):
-            raise TypeError(f"cannot cast an argument from {operand.dtype} to {wanted} with casting={casting!r}")
-    return wanted
-
-
-def _widen(array, is_angle):
-    """An argument as float64; the float32 next to pi/2, which lies above it, counts as pi/2."""
-    wide = array.astype(_DOUBLE, copy=False)
-    if array.dtype == _SINGLE and is_angle:
-        return np.where(np.abs(array) == np.float32(HALF_PI[0]), np.copysign(HALF_PI[0], wide), wide)
-    return wide
-
-
-def _widen_to_most(arrays, wide, ceiling, forces):
-    """The float32 next to the largest value of an argument counts as that."""
-    index, kernels = ceiling
-    with np.errstate(all="ignore"):
-        most = kernels[forces](*wide[:index], *wide[index + 1 :])
-        wide[index] = np.where(arrays[index] == most.astype(_SINGLE), most, wide[index])
-
-
-def _targets(out, count, dtype, casting):
+def _targets(out, count):
     """Return the output arrays as a tuple, None for each one to be made."""
     if out is None:
         return (None,) * count
@@ -75,88 +17,106 @@ def _targets(out, count, dtype, casting):
     if len(targets) != count:
         raise ValueError(f"out must hold {count} array{'s' * (count > 1)}, not {len(targets)}")
     for target in targets:
-        _refuse_mask(target)
-        if target is not None and not isinstance(target, np.ndarray):
+        if target is not None and not isinstance(target, np.ndarray) and not is_foreign(target):
             raise TypeError("out must be an array, or a tuple of arrays and None")
-        if target is not None and not np.can_cast(dtype, target.dtype, casting):
-            raise TypeError(f"cannot cast the result from {dtype} to {target.dtype} with casting={casting!r}")
     return targets
 
 
-def _masked(kernel, arrays, mask):
-    """Evaluate the chosen lanes only; NaN elsewhere."""
-    *arrays, mask = np.broadcast_arrays(*arrays, mask)
-    results = _as_tuple(kernel(*(array[mask] for array in arrays)))
-    placed = []
-    for result in results:
-        full = np.full(mask.shape, np.nan)
-        full[mask] = result
-        placed.append(full)
-    return tuple(placed)
+def _mask(where):
+    """The mask of what is to be computed."""
+    if is_foreign(where):
+        return where
+    if isinstance(where, np.ma.MaskedArray):
+        raise TypeError("where must not be a masked array, its mask would be lost: pass where.filled(False)")
+    mask = np.asarray(where)
+    if mask.dtype != np.bool_:
+        raise TypeError(f"where must be boolean, not {mask.dtype}")
+    return mask
 
 
-def _as_tuple(results):
-    return results if isinstance(results, tuple) else (results,)
+def _filled(targets, operands, dtype):
+    """Return the output arrays, those to be made with NaN for what is not computed."""
+    shape = np.broadcast_shapes(*map(np.shape, (*operands, *(t for t in targets if t is not None))))
+    return tuple(np.full(shape, np.nan, dtype) if target is None else target for target in targets)
 
 
-def serve(row, arguments, forces, out=None, where=True, casting="same_kind", dtype=None):
-    """Evaluate an emitted function.
+class Served:
+    """A public function: which of its ufuncs serves, and with what.
 
-    Parameters
-    ----------
-    row : dict
-        The function's row of ``FUNCTIONS`` in its generated module: ``outputs``, ``angle`` (an index), ``kernels``;
-        ``ceiling``, if an argument has a largest value: its index and the kernels of that value; ``rest``, if the
-        kernels return the only output with its rest, so that float32 results are rounded once.
-    arguments : tuple of array_like
-        All arguments but the forces, in order.
-    forces : dict of str to array_like
-        Force arguments by name; those that are the scalar 0 select the kernel without that force.
-    out, where, casting, dtype
-        As for a NumPy ufunc. Results not computed because of `where` are NaN, or left as they are in `out`.
-
-    Returns
-    -------
-    scalar, ndarray or tuple of these
-        One for each output; scalars if all arguments are, and no output was given.
-
-    Raises
-    ------
-    TypeError
-        For complex, extended-precision, object and other non-real arguments, for masked arrays, and for casts that
-        `casting` forbids.
-    ValueError
-        If the arguments do not broadcast, `out` does not fit, or `casting` is no casting rule of NumPy.
-    OverflowError
-        For a Python integer beyond the range of float64.
+    Called with all operands, ``out``, ``where``, ``dtype``, ``casting``, by position; `ufunc` gives a ufunc by its
+    name.
     """
-    operands = [_operand(value) for value in (*arguments, *forces.values())]
-    dtype = _common_dtype(operands, dtype, casting)
-    targets = _targets(out, row["outputs"], dtype, casting)
-    arrays = [np.asarray(operand, dtype=dtype) for operand in operands]
-    count = len(arguments)
-    present = [(name, a) for name, a in zip(forces, arrays[count:], strict=True) if a.ndim or a != 0]
-    acting = tuple(name for name, _ in present)
-    kernel = row["kernels"][acting]
-    wide = [_widen(a, i == row["angle"]) for i, a in enumerate([*arrays[:count], *(a for _, a in present)])]
-    if dtype == _SINGLE and "ceiling" in row:
-        _widen_to_most(arrays, wide, row["ceiling"], acting)
-    if where is True:
-        results, mask = _as_tuple(kernel(*wide)), True
-    else:
-        _refuse_mask(where)
-        mask = np.asarray(where)
-        if mask.dtype != np.bool_:
-            raise TypeError(f"where must be boolean, not {mask.dtype}")
-        results = _masked(kernel, wide, mask)
-    if row.get("rest"):
-        results = (results[0] if dtype == _DOUBLE else to_odd(*results),)
-    given = []
-    for result, target in zip(results, targets, strict=True):
-        narrow = np.asarray(result).astype(dtype, copy=False)
-        if target is None:
-            given.append(narrow[()])
-        else:
-            np.copyto(target, narrow, casting=casting, where=mask)
-            given.append(target)
-    return tuple(given) if row["outputs"] > 1 else given[0]
+
+    def __init__(self, name, ufunc=_backend.ufunc):
+        row = FUNCTIONS[name]
+        self._outputs = row["outputs"]
+        self._forces = row["forces"]
+        self._ufuncs = {acting: tuple(map(ufunc, names)) for acting, names in row["ufuncs"].items()}
+
+    def _acting(self, operands, foreign):
+        """Return the forces that act, and the operands without those that do not: numbers that are exactly 0.
+
+        Beside arrays of other libraries a number with a dtype of its own stays, which may be that of the result.
+        """
+        count = len(operands) - len(self._forces)
+        kept, acting = operands[:count], []
+        for name, force in zip(self._forces, operands[count:], strict=True):
+            number = type(force) in PYTHON_NUMBERS or (not foreign and np.ndim(force) == 0)
+            if not number or force != 0:
+                kept.append(force)
+                acting.append(name)
+        return tuple(acting), kept
+
+    def __call__(self, *given):
+        """Evaluate.
+
+        Returns
+        -------
+        scalar, array or tuple of these
+            One for each output; scalars if all operands are, and no output was given. What is not computed because of
+            `where` is NaN, or left as it is in `out`; arrays of other libraries follow their own rules.
+
+        Raises
+        ------
+        TypeError
+            For complex, extended-precision, object and other non-real operands, and for casts that `casting` forbids.
+        ValueError
+            If the operands do not broadcast, `out` does not fit, or `casting` is no casting rule of NumPy.
+        OverflowError
+            For a Python integer beyond the range of float64.
+        """
+        *operands, out, where, dtype, casting = given
+        operands = [as_operand(value) for value in operands]
+        if casting not in _CASTINGS:
+            raise ValueError(f"casting must be one of {', '.join(map(repr, _CASTINGS))}, not {casting!r}")
+        targets = _targets(out, self._outputs)
+        foreign = any(map(is_foreign, (*operands, *targets)))
+        served = None if foreign else common_dtype(operands)
+        wanted = asked_dtype(dtype) or served
+        acting, kept = self._acting(operands, foreign)
+        options = {"casting": casting} | ({} if wanted is None else {"dtype": wanted})
+        ufunc, *parts = self._ufuncs[acting]
+        if where is not True:
+            options["where"] = _mask(where)
+        if foreign:
+            return self._of_parts(parts or [ufunc], kept, targets, options)
+        if where is True:
+            return ufunc(*kept, out=targets, **options)
+        results = ufunc(*kept, out=_filled(targets, [*kept, options["where"]], wanted), **options)
+        made = results if isinstance(results, tuple) else (results,)
+        made = tuple(one[()] if target is None else one for one, target in zip(made, targets, strict=True))
+        return made if self._outputs > 1 else made[0]
+
+    def _of_parts(self, parts, operands, targets, options):
+        """One output at a time: other libraries take no ufunc of several."""
+        results = tuple(
+            part(*operands, **({} if target is None else {"out": target}), **options)
+            for part, target in zip(parts, targets, strict=True)
+        )
+        return results if self._outputs > 1 else results[0]
+
+
+def public(name):
+    """Return what serves a public function: called with all operands, out, where, dtype and casting, by position."""
+    served = Served(name)
+    return served if _backend.EXTENSION is None else _backend.EXTENSION.entry(name, served)

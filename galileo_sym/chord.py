@@ -10,10 +10,16 @@ the largest, against enclosures in ball arithmetic (claimed bound: 1 ulp; `gener
 slides at all is decided by the exact sign of cos|theta| - mu sin|theta|.
 """
 
-from galileo_sym._front import serve
-from galileo_sym.generated.chord import FUNCTIONS
+from galileo_sym._front import public
 
 __all__ = ["descent_time", "distance", "max_angle", "position", "speed", "synchronous_circle"]
+
+_descent_time = public("chord.descent_time")
+_distance = public("chord.distance")
+_speed = public("chord.speed")
+_position = public("chord.position")
+_synchronous_circle = public("chord.synchronous_circle")
+_max_angle = public("chord.max_angle")
 
 
 def descent_time(theta, *, diameter, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -57,15 +63,7 @@ def descent_time(theta, *, diameter, g, mu=0.0, gamma=0.0, out=None, where=True,
     >>> float(round(descent_time(0.0, diameter=1.0, g=9.81, gamma=1e-8), 5))
     0.45152
     """
-    return serve(
-        FUNCTIONS["descent_time"],
-        (theta, diameter, g),
-        {"mu": mu, "gamma": gamma},
-        out=out,
-        where=where,
-        dtype=dtype,
-        casting=casting,
-    )
+    return _descent_time(theta, diameter, g, mu, gamma, out, where, dtype, casting)
 
 
 def distance(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -102,15 +100,7 @@ def distance(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None
 
     Claimed bound: 1 ulp, measured.
     """
-    return serve(
-        FUNCTIONS["distance"],
-        (t, theta, g),
-        {"mu": mu, "gamma": gamma},
-        out=out,
-        where=where,
-        dtype=dtype,
-        casting=casting,
-    )
+    return _distance(t, theta, g, mu, gamma, out, where, dtype, casting)
 
 
 def speed(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -144,15 +134,7 @@ def speed(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, c
     >>> float(round(speed(1.0, 0.5, g=9.81, mu=0.2, gamma=1e-9), 5))
     7.66845
     """
-    return serve(
-        FUNCTIONS["speed"],
-        (t, theta, g),
-        {"mu": mu, "gamma": gamma},
-        out=out,
-        where=where,
-        dtype=dtype,
-        casting=casting,
-    )
+    return _speed(t, theta, g, mu, gamma, out, where, dtype, casting)
 
 
 def position(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -181,15 +163,7 @@ def position(t, theta, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None
 
     Claimed bound: 1 ulp, measured.
     """
-    return serve(
-        FUNCTIONS["position"],
-        (t, theta, g),
-        {"mu": mu, "gamma": gamma},
-        out=out,
-        where=where,
-        dtype=dtype,
-        casting=casting,
-    )
+    return _position(t, theta, g, mu, gamma, out, where, dtype, casting)
 
 
 def synchronous_circle(t, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -219,15 +193,7 @@ def synchronous_circle(t, *, g, mu=0.0, gamma=0.0, out=None, where=True, dtype=N
 
     Claimed bound: 1 ulp, measured.
     """
-    return serve(
-        FUNCTIONS["synchronous_circle"],
-        (t, g),
-        {"mu": mu, "gamma": gamma},
-        out=out,
-        where=where,
-        dtype=dtype,
-        casting=casting,
-    )
+    return _synchronous_circle(t, g, mu, gamma, out, where, dtype, casting)
 
 
 def max_angle(mu, out=None, where=True, dtype=None, casting="same_kind"):
@@ -260,4 +226,4 @@ def max_angle(mu, out=None, where=True, dtype=None, casting="same_kind"):
     >>> float(round(max_angle(0.5), 5))
     1.10715
     """
-    return serve(FUNCTIONS["max_angle"], (mu,), {}, out=out, where=where, dtype=dtype, casting=casting)
+    return _max_angle(mu, out, where, dtype, casting)

@@ -9,10 +9,13 @@ largest, the branch point and double roots included (claimed bound: 1 ulp; `gene
 branches are proved within 0.55 ulp for every argument (`docs/proofs.md`).
 """
 
-from galileo_sym._front import serve
-from galileo_sym.generated.lambert import FUNCTIONS
+from galileo_sym._front import public
 
 __all__ = ["linear_exponential_roots", "w0", "wm1"]
+
+_w0 = public("lambert.w0")
+_wm1 = public("lambert.wm1")
+_linear_exponential_roots = public("lambert.linear_exponential_roots")
 
 
 def w0(x, out=None, where=True, dtype=None, casting="same_kind"):
@@ -45,7 +48,7 @@ def w0(x, out=None, where=True, dtype=None, casting="same_kind"):
     >>> float(w0(1.0))
     0.5671432904097838
     """
-    return serve(FUNCTIONS["w0"], (x,), {}, out=out, where=where, dtype=dtype, casting=casting)
+    return _w0(x, out, where, dtype, casting)
 
 
 def wm1(x, out=None, where=True, dtype=None, casting="same_kind"):
@@ -78,7 +81,7 @@ def wm1(x, out=None, where=True, dtype=None, casting="same_kind"):
     >>> float(wm1(-0.2))
     -2.5426413577735265
     """
-    return serve(FUNCTIONS["wm1"], (x,), {}, out=out, where=where, dtype=dtype, casting=casting)
+    return _wm1(x, out, where, dtype, casting)
 
 
 def linear_exponential_roots(a, b, c, d, out=None, where=True, dtype=None, casting="same_kind"):
@@ -119,6 +122,4 @@ def linear_exponential_roots(a, b, c, d, out=None, where=True, dtype=None, casti
     >>> [float(t) for t in linear_exponential_roots(1.0, 2.0, -1.0, 1.0)]
     [-1.8414056604369606, 1.1461932206205825]
     """
-    return serve(
-        FUNCTIONS["linear_exponential_roots"], (a, b, c, d), {}, out=out, where=where, dtype=dtype, casting=casting
-    )
+    return _linear_exponential_roots(a, b, c, d, out, where, dtype, casting)

@@ -11,8 +11,7 @@ height, of the upward velocity and of the slope against the elevation are in ulp
 cancel at landing, at the apex and at the angle of greatest range.
 """
 
-from galileo_sym._front import serve
-from galileo_sym.generated.projectile import FUNCTIONS
+from galileo_sym._front import public
 
 __all__ = [
     "best_angle",
@@ -25,6 +24,16 @@ __all__ = [
     "range_slope_theta",
     "velocity",
 ]
+
+_flight_time = public("projectile.flight_time")
+_horizontal_range = public("projectile.horizontal_range")
+_position = public("projectile.position")
+_velocity = public("projectile.velocity")
+_range_slope_theta = public("projectile.range_slope_theta")
+_range_slope_k = public("projectile.range_slope_k")
+_max_range = public("projectile.max_range")
+_best_angle = public("projectile.best_angle")
+_launch_angles = public("projectile.launch_angles")
 
 
 def flight_time(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -64,7 +73,7 @@ def flight_time(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting
     >>> float(round(flight_time(0.5, v=10.0, g=9.81, k=1e-9), 5))
     0.97742
     """
-    return serve(FUNCTIONS["flight_time"], (theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting)
+    return _flight_time(theta, v, g, k, out, where, dtype, casting)
 
 
 def horizontal_range(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -93,9 +102,7 @@ def horizontal_range(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, ca
 
     Claimed bound: 1 ulp, measured.
     """
-    return serve(
-        FUNCTIONS["horizontal_range"], (theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting
-    )
+    return _horizontal_range(theta, v, g, k, out, where, dtype, casting)
 
 
 def position(t, theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -127,7 +134,7 @@ def position(t, theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting
 
     Claimed bound: 1 ulp, measured; for y of the larger of its two terms, which cancel at landing.
     """
-    return serve(FUNCTIONS["position"], (t, theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting)
+    return _position(t, theta, v, g, k, out, where, dtype, casting)
 
 
 def velocity(t, theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -164,7 +171,7 @@ def velocity(t, theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting
     >>> float(round(vx, 5)), float(round(vy, 5))
     (8.77583, 2.34176)
     """
-    return serve(FUNCTIONS["velocity"], (t, theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting)
+    return _velocity(t, theta, v, g, k, out, where, dtype, casting)
 
 
 def range_slope_theta(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -198,9 +205,7 @@ def range_slope_theta(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, c
     >>> float(round(range_slope_theta(0.5, v=10.0, g=9.81, k=1e-9), 5))
     11.01534
     """
-    return serve(
-        FUNCTIONS["range_slope_theta"], (theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting
-    )
+    return _range_slope_theta(theta, v, g, k, out, where, dtype, casting)
 
 
 def range_slope_k(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -233,9 +238,7 @@ def range_slope_k(theta, *, v, g, k=0.0, out=None, where=True, dtype=None, casti
     >>> float(round(range_slope_k(0.5, v=10.0, g=9.81, k=1e-9), 5))
     -5.58935
     """
-    return serve(
-        FUNCTIONS["range_slope_k"], (theta, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting
-    )
+    return _range_slope_k(theta, v, g, k, out, where, dtype, casting)
 
 
 def max_range(*, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -268,7 +271,7 @@ def max_range(*, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_ki
     >>> float(round(max_range(v=50.0, g=32.2, k=0.1), 5))
     67.72389
     """
-    return serve(FUNCTIONS["max_range"], (v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting)
+    return _max_range(v, g, k, out, where, dtype, casting)
 
 
 def best_angle(alpha, out=None, where=True, dtype=None, casting="same_kind"):
@@ -297,7 +300,7 @@ def best_angle(alpha, out=None, where=True, dtype=None, casting="same_kind"):
 
     Claimed bound: 1 ulp, measured.
     """
-    return serve(FUNCTIONS["best_angle"], (alpha,), {}, out=out, where=where, dtype=dtype, casting=casting)
+    return _best_angle(alpha, out, where, dtype, casting)
 
 
 def launch_angles(r, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="same_kind"):
@@ -339,4 +342,4 @@ def launch_angles(r, *, v, g, k=0.0, out=None, where=True, dtype=None, casting="
     >>> float(round(low, 6)), float(round(high, 6))
     (0.509443, 1.03057)
     """
-    return serve(FUNCTIONS["launch_angles"], (r, v, g), {"k": k}, out=out, where=where, dtype=dtype, casting=casting)
+    return _launch_angles(r, v, g, k, out, where, dtype, casting)

@@ -12,8 +12,9 @@ import mpmath
 import sympy
 
 import galileo_sym
+from galileo_sym._config import sources_digest
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen import amalgamation, c99, frames, kernels, lanes, numpy, numpy_kernels, pairs, tables
+from galileo_sym.codegen import amalgamation, c99, frames, kernels, lanes, numpy, numpy_kernels, pairs, tables, ufunc
 
 PINNED = {"sympy": "1.14.0", "mpmath": "1.3.0"}
 KEPT = ("certificates",)  # reviewed and committed by other means, never written here
@@ -41,6 +42,7 @@ _C_TEMPLATES = (
     "primitives.c",
     "roots.c",
 )
+_EXTENSION_TEMPLATES = ("entries.c", "loops.c", "loops_of_type.h", "module.c", "promotion.c")
 _TEMPLATES = resources.files("galileo_sym.codegen") / "templates"
 
 
@@ -50,7 +52,7 @@ class WrongVersion(RuntimeError):
 
 def default_directory():
     """Return the `generated` directory of this installation."""
-    return Path(find_spec("galileo_sym.generated").submodule_search_locations[0])
+    return Path(find_spec("galileo_sym.generated").origin).parent
 
 
 def _require_pinned_versions():
@@ -118,7 +120,19 @@ def _sources():
     for name in _C_TEMPLATES:
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/tables.c"] = _c("the tables of galileo_sym.primitives", tables.c_tables())
-    return files | _to_build(files)
+    files["_functions.py"] = _python("the catalogue", ufunc.python_table())
+    files |= _to_build(files)
+    return files | _extension(files)
+
+
+def _extension(files):
+    """Return the sources of the Python extension, by path; they hold a digest of themselves and of the C."""
+    header = _template("extension/extension.h").replace("@SIZES@\n", ufunc.sizes())
+    made = {"extension/extension.h": _c("templates/extension/extension.h", header)}
+    for name in _EXTENSION_TEMPLATES:
+        made[f"extension/{name}"] = _c(f"templates/extension/{name}", _template(f"extension/{name}"))
+    digest = sources_digest({name: text.encode() for name, text in (files | made).items()})
+    return made | {"extension/tables.c": _c("the catalogue", ufunc.tables(digest))}
 
 
 def _to_build(files):

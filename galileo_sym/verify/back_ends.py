@@ -11,7 +11,7 @@ from .native import NativeLibrary
 
 
 class NumpyFunctions:
-    """The public functions of `galileo_sym.chord` and `galileo_sym.projectile` on arrays."""
+    """The public functions as the NumPy back end serves them, whichever back end this installation chooses."""
 
     name = "numpy"
 
@@ -20,17 +20,19 @@ class NumpyFunctions:
 
         Parameters and returns as in `NativeLibrary.evaluate`.
         """
-        public = getattr(import_module(f"galileo_sym.{function.paper}"), function.name)
-        by_name = {name: arguments[name] for name in (*function.keywords, *function.force_sets[force_set])}
-        positional = [arguments[name] for name in function.positional]
+        front, stand_ins = import_module("galileo_sym._front"), import_module("galileo_sym._stand_in")
+        public = front.Served(function.full_name, stand_ins.stand_in)
+        forces = max(function.force_sets.values(), key=len)
+        taken = function.arguments(force_set)
+        operands = [arguments[n] if n in taken else 0.0 for n in (*function.positional, *function.keywords, *forces)]
         with np.errstate(all="ignore"):
-            results = public(*positional, **by_name)
+            results = public(*operands, None, True, None, "same_kind")
         return results if isinstance(results, tuple) else (results,)
 
 
 def generated_folder():
     """The folder of the emitted code."""
-    return Path(next(iter(import_module("galileo_sym.generated").__path__)))
+    return Path(import_module("galileo_sym.generated").__file__).parent
 
 
 def available_back_ends(tell):

@@ -19,6 +19,9 @@
 extern "C" {
 #endif
 
+/* The version of the array functions that this machine runs: "avx512", "avx2" or "plain"; the bits are the same. */
+const char *gs_vectors(void);
+
 /* Time a bead released from rest takes along a chord from the top of a vertical circle.
  *
  * Arguments

@@ -9,6 +9,8 @@ from galileo_sym import lambert, projectile
 from galileo_sym.lambert import linear_exponential_roots as roots
 from galileo_sym.lambert import w0, wm1
 
+pytestmark = pytest.mark.usefixtures("back_end")
+
 NEAREST = -0.36787944117144233  # to -1/e, and 1.2e-17 below it
 LEAST = math.nextafter(NEAREST, 0.0)
 NAN = math.nan

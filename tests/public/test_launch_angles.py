@@ -7,6 +7,8 @@ import pytest
 
 from galileo_sym.projectile import best_angle, horizontal_range, launch_angles, max_range
 
+pytestmark = pytest.mark.usefixtures("back_end")
+
 RATES = (0.0, 1e-200, 1e-9, 0.05, 0.644, 5.0, 1e4)
 SHOT = {"v": 50.0, "g": 32.2}
 SHARES = np.concatenate([np.linspace(0.0, 1.0, 40)[1:-1], [1e-300, 1e-12, 1 - 1e-9, 1 - 1e-14, 1 - 2.0**-52]])

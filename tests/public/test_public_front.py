@@ -1,13 +1,13 @@
 """Public functions as NumPy functions: domain and flags, dtypes, broadcasting, out=, where=, casting=."""
 
 import math
-import subprocess
-import sys
 
 import numpy as np
 import pytest
 
 from galileo_sym import chord, projectile
+
+pytestmark = pytest.mark.usefixtures("back_end")
 
 
 def _quarter(value):
@@ -187,12 +187,12 @@ def test_out_may_be_an_argument_and_may_be_wider_than_the_result():
 def test_casting():
     single = np.empty(1, np.float32)
     assert chord.distance(np.ones(1), 0.5, g=2.0, out=single) is single
-    with pytest.raises(TypeError, match="cannot cast the result"):
+    with pytest.raises(TypeError, match=r"Cannot cast ufunc .* output"):
         chord.distance(np.ones(1), 0.5, g=2.0, out=single, casting="safe")
-    with pytest.raises(TypeError, match="cannot cast the result"):
+    with pytest.raises(TypeError, match=r"Cannot cast ufunc .* output"):
         chord.distance(np.ones(1), 0.5, g=2.0, out=np.empty(1, int))
     assert chord.distance(1.0, 0.5, g=2.0, dtype=np.float32).dtype == np.float32
-    with pytest.raises(TypeError, match="cannot cast an argument"):
+    with pytest.raises(TypeError, match=r"Cannot cast ufunc .* input"):
         chord.distance(np.ones(1), 0.5, g=2.0, dtype=np.float32, casting="safe")
     with pytest.raises(TypeError, match="ask for float64 or float32"):
         chord.distance(1.0, 0.5, g=2.0, dtype=complex)
@@ -206,20 +206,19 @@ def test_an_unknown_casting_rule_is_refused(casting):
         assert chord.distance(1.0, 0.5, g=9.81, casting=rule) == chord.distance(1.0, 0.5, g=9.81)
 
 
-def test_masked_arrays_are_refused():
-    """Serving their data would lose the mask without a word."""
+def test_masked_arrays_keep_their_masks():
+    """But for where=, of which NumPy would lose the mask without a word."""
     masked = np.ma.MaskedArray([1.0, 2.0], mask=[False, True])
-    with pytest.raises(TypeError, match=r"masked arrays are not supported.*filled"):
-        chord.distance(masked, 0.5, g=9.81)
-    with pytest.raises(TypeError, match="masked arrays"):
-        chord.distance(1.0, 0.5, g=9.81, mu=masked)
-    with pytest.raises(TypeError, match="masked arrays"):
-        chord.distance(np.ones(2), 0.5, g=9.81, out=masked)
-    with pytest.raises(TypeError, match="masked arrays"):
+    for result in (
+        chord.distance(masked, 0.5, g=9.81),
+        chord.distance(np.ones(2), 0.5, g=9.81, mu=masked / 10),
+        *chord.position(masked, 0.5, g=9.81),
+    ):
+        assert isinstance(result, np.ma.MaskedArray)
+        assert np.array_equal(result.mask, masked.mask)
+    assert chord.distance(masked, 0.5, g=9.81)[0] == chord.distance(1.0, 0.5, g=9.81)
+    with pytest.raises(TypeError, match=r"masked array, its mask would be lost"):
         chord.distance(np.ones(2), 0.5, g=9.81, where=np.ma.MaskedArray([True, True], mask=[False, True]))
-    kept = chord.distance(masked.data, 0.5, g=9.81, where=~np.ma.getmaskarray(masked))
-    assert kept[0] == chord.distance(1.0, 0.5, g=9.81)
-    assert np.isnan(kept[1])
 
 
 def test_python_integers_beyond_int64():
@@ -240,10 +239,3 @@ def test_bad_out_and_where_are_refused():
         chord.distance(1.0, 0.5, g=2.0, where=np.array([1, 0]))
     with pytest.raises(TypeError, match="unexpected keyword"):
         chord.distance(1.0, 0.5, g=2.0, order="C")
-
-
-@pytest.mark.parametrize("module", ["galileo_sym", "galileo_sym.chord", "galileo_sym.projectile"])
-def test_import_loads_numpy_alone(module):
-    code = f"import sys, {module}; print(*sorted(m for m in sys.modules if '.' not in m))"
-    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
-    assert not {"sympy", "mpmath", "scipy"} & set(loaded)

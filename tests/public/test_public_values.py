@@ -7,6 +7,8 @@ import pytest
 
 from galileo_sym import chord, projectile
 
+pytestmark = pytest.mark.usefixtures("back_end")
+
 HALF_PI = math.pi / 2
 FALL = {"diameter": 1.0, "g": 9.81}
 SHOT = {"v": 10.0, "g": 9.81}

@@ -1,14 +1,14 @@
 """The public face of the primitives: names, dtypes, float32 rounded once, out=, where=, NaN and flags."""
 
-import inspect
-
 import numpy as np
 import pytest
 
 from galileo_sym import special
+from galileo_sym._stand_in import StandIn
 from galileo_sym.generated import special as emitted
 from galileo_sym.primitives.kernels import KERNELS
 
+pytestmark = pytest.mark.usefixtures("back_end")
 every = pytest.mark.parametrize("name", KERNELS)
 
 
@@ -24,12 +24,16 @@ def test_names_are_those_of_the_kernels():
 
 
 @every
-def test_signature_and_doc(name):
+def test_what_a_ufunc_tells(name):
     function = getattr(special, name)
     assert function.__name__ == name
-    assert str(inspect.signature(function)) == "(x, out=None, where=True, dtype=None, casting='same_kind')"
+    assert (function.nin, function.nout, function.types) == (1, 1, ["f->f", "d->d"])
     for part in ("Parameters", "Returns", "Raises", "paper", "Claimed bound: 2 ulp"):
         assert part in function.__doc__
+
+
+def test_the_extension_has_ufuncs_of_numpy(back_end):
+    assert all(isinstance(getattr(special, name), np.ufunc) == (back_end == "c") for name in KERNELS)
 
 
 @every
@@ -62,12 +66,12 @@ def test_float32_is_rounded_once(name):
         assert (missed <= abs((neighbour - hi) - lo)).all()
 
 
-def test_a_tie_is_broken_by_the_rest(monkeypatch):
+def test_a_tie_is_broken_by_the_rest():
     tie = 1.0 + 2.0**-24
     row = emitted.FUNCTIONS["phi1m"] | {"kernels": {(): lambda x: (np.full_like(x, tie), np.array([-1e-20, 1e-20]))}}
-    monkeypatch.setitem(emitted.FUNCTIONS, "phi1m", row)
-    assert np.array_equal(special.phi1m(np.zeros(2, np.float32)), np.array([1.0, 1.0 + 2.0**-23], np.float32))
-    assert np.array_equal(special.phi1m(np.zeros(2)), [tie, tie])
+    tied = StandIn("phi1m", "", row, (), 1)
+    assert np.array_equal(tied(np.array([1, 2], np.float32)), np.array([1.0, 1.0 + 2.0**-23], np.float32))
+    assert np.array_equal(tied(np.array([1.0, 2.0])), [tie, tie])
 
 
 @every
@@ -91,7 +95,6 @@ def test_out_and_where(name):
     assert getattr(special, name)(x, out=out, where=np.array([True, False, True, False])) is out
     assert np.array_equal(out[1::2], [7.0, 7.0])
     assert np.array_equal(out[::2], getattr(special, name)(x)[::2])
-    assert np.isnan(getattr(special, name)(x.astype(np.float32), where=False)).all()
 
 
 @pytest.mark.parametrize("name", [n for n, kernel in KERNELS.items() if kernel.pole is not None])
@@ -108,5 +111,3 @@ def test_a_pole_divides_by_zero(name, dtype):
 def test_no_other_dtypes():
     with pytest.raises(TypeError):
         special.w0(1j)
-    with pytest.raises(TypeError):
-        special.w0(np.ma.masked_array([1.0], [True]))

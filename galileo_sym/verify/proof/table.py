@@ -36,7 +36,7 @@ No bound may exceed {limit} ulp. Taken for granted: IEEE binary64 to nearest, a 
 
 def folder():
     """Return the `generated` folder of this installation."""
-    return Path(find_spec("galileo_sym.generated").submodule_search_locations[0])
+    return Path(find_spec("galileo_sym.generated").origin).parent
 
 
 def json_path():

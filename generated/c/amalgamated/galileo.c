@@ -41,6 +41,9 @@
 extern "C" {
 #endif
 
+/* The version of the array functions that this machine runs: "avx512", "avx2" or "plain"; the bits are the same. */
+const char *gs_vectors(void);
+
 /* Time a bead released from rest takes along a chord from the top of a vertical circle.
  *
  * Arguments
@@ -6148,6 +6151,7 @@ static inline gs_v gs_arctan_value(gs_v x, gs_v *lo)
 
 #endif
 
+#define GS_VECTORS "plain"
 #define GS_DECLARE(name)
 #define GS_CHOOSE(name) name##_plain
 #define GS_CHOOSE_SINGLE(name) name##_plain
@@ -6217,6 +6221,8 @@ static void gs_excuse_single(int before, size_t n, const float *value, int zero_
         return x;                                                                                                      \
     }
 
+const char *gs_vectors(void) { return GS_VECTORS; }
+
 GS_PUBLIC(phi1m, GS_NO_POLE, 0)
 GS_PUBLIC(phi2m, GS_NO_POLE, 0)
 GS_PUBLIC(descent_factor, GS_NO_POLE, 0)
@@ -6238,6 +6244,7 @@ GS_PUBLIC(arctan, GS_NO_POLE, 0)
 #undef GS_DECLARE
 #undef GS_CHOOSE
 #undef GS_CHOOSE_SINGLE
+#undef GS_VECTORS
 #undef GS_POLE_AT_0
 #undef GS_NO_POLE
 #undef GS_PUBLIC

@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/* The version of the array functions that this machine runs: "avx512", "avx2" or "plain"; the bits are the same. */
+const char *gs_vectors(void);
+
 @DECLARATIONS@
 #ifdef __cplusplus
 }

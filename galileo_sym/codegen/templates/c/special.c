@@ -22,7 +22,9 @@ static int gs_has_vectors(void) { return __builtin_cpu_supports("avx2") && __bui
 #define GS_CHOOSE(name)                                                                                                \
     (gs_has_wide_vectors() ? name##_avx512 : gs_has_vectors() ? name##_avx2 : name##_plain)
 #define GS_CHOOSE_SINGLE(name) (gs_has_vectors() ? name##_fma : name##_plain)
+#define GS_VECTORS (gs_has_wide_vectors() ? "avx512" : gs_has_vectors() ? "avx2" : "plain")
 #else
+#define GS_VECTORS "plain"
 #define GS_DECLARE(name)
 #define GS_CHOOSE(name) name##_plain
 #define GS_CHOOSE_SINGLE(name) name##_plain
@@ -92,5 +94,7 @@ static void gs_excuse_single(int before, size_t n, const float *value, int zero_
         gs_excuse_single(before, 1, &x, zero);                                                                         \
         return x;                                                                                                      \
     }
+
+const char *gs_vectors(void) { return GS_VECTORS; }
 
 @PUBLIC@
