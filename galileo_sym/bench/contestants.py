@@ -7,7 +7,8 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from galileo_sym._front import serve
+from galileo_sym._stand_in import stand_in
+from galileo_sym.generated._functions import FUNCTIONS
 from galileo_sym.libraries import NoCompilerError, find_compiler, kept_library
 from galileo_sym.verify.back_ends import generated_folder
 from galileo_sym.verify.enclosure import nearest_float
@@ -116,10 +117,8 @@ class NumpyKernels(_Ours):
     way = "NumPy"
 
     def _bound(self, case, given, out):
-        module = import_module(f"galileo_sym.generated.{case.paper}")
-        plain = tuple(given[name] for name in (*case.positional, *case.keywords))
-        acting = {name: given[name] for name in case.forces}
-        return partial(serve, module.FUNCTIONS[case.name], plain, acting, out=out)
+        name = case.name if case.paper == "special" else FUNCTIONS[case.full_name]["ufuncs"][tuple(case.forces)][0]
+        return partial(stand_in(name), *(given[argument] for argument in case.arguments), out=out)
 
 
 @cache

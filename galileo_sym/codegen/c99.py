@@ -145,11 +145,34 @@ def _balance(name, plan, unknown):
     return "\n".join(lines) + "\n\n"
 
 
-def _limit(function, limit):
+def _most_name(function, force_set, kind):
+    return f"gs_most_of_{function.name}_{force_set}{'f' * (kind == 'float')}"
+
+
+def _others(function, force_set):
+    """Names of the arguments but for the one that has a largest value."""
+    return [a.name for a in function.arguments(force_set) if a.name != function.ceiling.argument]
+
+
+def _most(function, force_set):
+    """Definitions of the largest value of an argument, of both types, as the public function gives it."""
+    others, public = _others(function, force_set), FUNCTIONS[f"{function.paper}.{function.ceiling.most}"]
+    taken = {kind: ", ".join(f"{kind} {name}" for name in others) for kind in ("double", "float")}
+    return "/* The largest value that is told, without flags: it is only compared with. */\n" + "".join(
+        f"static inline {kind} {_most_name(function, force_set, kind)}({taken[kind]})\n{{\n"
+        f"    fenv_t flags;\n    feholdexcept(&flags);\n"
+        f"    const volatile {kind} most = {c_name(public, force_set, letter)}({', '.join(others)});\n"
+        f"    fesetenv(&flags);\n    return most;\n}}\n"
+        for kind, letter in (("double", ""), ("float", "f"))
+    )
+
+
+def _limit(function, force_set, limit):
     """Lines that return where the argument is beyond its largest value, or at it."""
     raw = f"{function.ceiling.argument}_in"
+    passed = ", ".join(f"{name}_in" for name in _others(function, force_set))
     return [
-        f"    const double most = gs_compared({call_text(limit.most, 'gs_')});",
+        f"    const double most = {_most_name(function, force_set, 'double')}({passed});",
         *_guard(function, f"isinf({raw}) || {raw} > most", "gs_invalid()"),
         *_guard(function, f"{raw} == most && {raw} > 0.0", f"gs_store({call_text(limit.there, 'gs_')})"),
     ]
@@ -189,7 +212,7 @@ def kernel(function, force_set):
     ]
     for index, (name, node) in enumerate(plan.steps):
         if plan.limit and index == plan.limit.after:
-            lines += _limit(function, plan.limit)
+            lines += _limit(function, force_set, plan.limit)
         lines.append(_assignment(name, ("angle", f"{symbols[node[1]]}_in") if node[0] == "angle" else node))
         if node[0] == "driving":
             lines += _guard(function, f"{name}.hi <= 0.0", _AT_REST[function.outputs[0].at_rest])
@@ -199,6 +222,8 @@ def kernel(function, force_set):
     else:
         lines += [f"    *{o.name}_out = {r};" for o, r in zip(function.outputs, results, strict=True)]
     text = "\n".join(lines) + "\n}\n"
+    if function.ceiling:
+        text = f"{_most(function, force_set)}\n{text}"
     if plan.balance:
         unknown = SOLVERS[function.full_name, force_set].unknown
         return _balance(balance_name(function, force_set), plan.balance, unknown) + text
@@ -221,10 +246,10 @@ def _widened(function, suffix, argument):
     ceiling = function.ceiling
     if ceiling is None or ceiling.argument != argument.name:
         return f"(double){argument.name}"
-    most = c_name(FUNCTIONS[f"{function.paper}.{ceiling.most}"], suffix)
     force_set = suffix or _fullest(function)
-    others = ", ".join(f"(double){a.name}" for a in function.arguments(force_set) if a != argument)
-    return f"gs_widen_to({argument.name}, {most}({others}))"
+    others = ", ".join(_others(function, force_set))
+    single, double = (f"{_most_name(function, force_set, kind)}({others})" for kind in ("float", "double"))
+    return f"gs_widen_to({argument.name}, {single}, {double})"
 
 
 def _narrow(function, suffix, force_set):

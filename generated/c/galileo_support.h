@@ -300,16 +300,6 @@ static inline double gs_store(gs_scaled a)
     return fabs(result) <= DBL_MIN && a.hi != 0.0 ? gs_round_subnormal(a) : result;
 }
 
-/* The nearest double of a number that is only compared with: without flags. */
-static inline double gs_compared(gs_scaled a)
-{
-    fenv_t flags;
-    feholdexcept(&flags);
-    const volatile double result = gs_store(a);
-    fesetenv(&flags);
-    return result;
-}
-
 /* A number that is only looked up: 0 below 2^-120, some large number above 2^100. */
 static inline gs_pair gs_plain(gs_scaled a)
 {
@@ -349,9 +339,9 @@ static inline double gs_widen_angle(float theta)
 }
 
 /* The float next to the most that an argument may be counts as that. */
-static inline double gs_widen_to(float x, double most)
+static inline double gs_widen_to(float x, float most, double wide)
 {
-    return x == (float)most ? most : (double)x;
+    return x == most ? wide : (double)x;
 }
 
 /* Exponential and logarithm, both branches of W, and the equations they solve. */

@@ -518,6 +518,24 @@ void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const 
         range[i] = gs_projectile_max_rangef(v[i], g[i], k[i]);
 }
 
+/* The largest value that is told, without flags: it is only compared with. */
+static inline double gs_most_of_launch_angles_free(double v, double g)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile double most = gs_projectile_max_range_free(v, g);
+    fesetenv(&flags);
+    return most;
+}
+static inline float gs_most_of_launch_angles_freef(float v, float g)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile float most = gs_projectile_max_range_freef(v, g);
+    fesetenv(&flags);
+    return most;
+}
+
 /* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
  * Operations: 4 add, 1 arctangent, 3 div, 4 mul, 1 sqrt, 1 table. */
 void gs_projectile_launch_angles_free(double r_in, double v_in, double g_in, double *low_out, double *high_out)
@@ -534,7 +552,7 @@ void gs_projectile_launch_angles_free(double r_in, double v_in, double g_in, dou
     const gs_scaled v = gs_load(v_in);
     const gs_scaled g = gs_load(g_in);
     const gs_scaled rho = gs_div(gs_mul(r, g), gs_mul(v, v));
-    const double most = gs_compared(gs_div(gs_mul(v, v), g));
+    const double most = gs_most_of_launch_angles_free(v_in, g_in);
     if (isinf(r_in) || r_in > most) {
         *low_out = *high_out = gs_invalid();
         return;
@@ -569,6 +587,24 @@ static gs_balance launch_angles_drag_balance(gs_scaled z, gs_scaled alpha)
     return at;
 }
 
+/* The largest value that is told, without flags: it is only compared with. */
+static inline double gs_most_of_launch_angles_drag(double v, double g, double k)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile double most = gs_projectile_max_range_drag(v, g, k);
+    fesetenv(&flags);
+    return most;
+}
+static inline float gs_most_of_launch_angles_dragf(float v, float g, float k)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile float most = gs_projectile_max_range_dragf(v, g, k);
+    fesetenv(&flags);
+    return most;
+}
+
 /* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
  * Operations: 3 div, 5 mul, 1 solver, 2 table. */
 void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
@@ -587,7 +623,7 @@ void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, dou
     const gs_scaled k = gs_load(k_in);
     const gs_scaled rho = gs_div(gs_mul(r, g), gs_mul(v, v));
     const gs_scaled alpha = gs_div(gs_mul(v, k), g);
-    const double most = gs_compared(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g));
+    const double most = gs_most_of_launch_angles_drag(v_in, g_in, k_in);
     if (isinf(r_in) || r_in > most) {
         *low_out = *high_out = gs_invalid();
         return;
@@ -615,7 +651,7 @@ void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double 
 void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high)
 {
     double low_wide, high_wide;
-    gs_projectile_launch_angles_free(gs_widen_to(r, gs_projectile_max_range_free((double)v, (double)g)), (double)v, (double)g, &low_wide, &high_wide);
+    gs_projectile_launch_angles_free(gs_widen_to(r, gs_most_of_launch_angles_freef(v, g), gs_most_of_launch_angles_free(v, g)), (double)v, (double)g, &low_wide, &high_wide);
     *low = (float)low_wide;
     *high = (float)high_wide;
 }
@@ -635,7 +671,7 @@ void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double 
 void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high)
 {
     double low_wide, high_wide;
-    gs_projectile_launch_angles_drag(gs_widen_to(r, gs_projectile_max_range_drag((double)v, (double)g, (double)k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
+    gs_projectile_launch_angles_drag(gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
     *low = (float)low_wide;
     *high = (float)high_wide;
 }
@@ -655,7 +691,7 @@ void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, c
 void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high)
 {
     double low_wide, high_wide;
-    gs_projectile_launch_angles(gs_widen_to(r, gs_projectile_max_range((double)v, (double)g, (double)k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
+    gs_projectile_launch_angles(gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
     *low = (float)low_wide;
     *high = (float)high_wide;
 }

@@ -15,7 +15,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "0d8c33a3e601e696deb946bda0f03746b1f54fd6209bc6416256a3fd3c87a2bd";
+const char gs_sources[] = "1372f0675a19fb07d9e2bf67b8b82f5529822caa0262b9ea131ac52820a59f6a";
 
 static const gs_interval gs_positive = {DBL_TRUE_MIN, INFINITY};
 static const gs_interval gs_nonnegative = {0.0, INFINITY};

@@ -12494,16 +12494,6 @@ static inline double gs_store(gs_scaled a)
     return fabs(result) <= DBL_MIN && a.hi != 0.0 ? gs_round_subnormal(a) : result;
 }
 
-/* The nearest double of a number that is only compared with: without flags. */
-static inline double gs_compared(gs_scaled a)
-{
-    fenv_t flags;
-    feholdexcept(&flags);
-    const volatile double result = gs_store(a);
-    fesetenv(&flags);
-    return result;
-}
-
 /* A number that is only looked up: 0 below 2^-120, some large number above 2^100. */
 static inline gs_pair gs_plain(gs_scaled a)
 {
@@ -12543,9 +12533,9 @@ static inline double gs_widen_angle(float theta)
 }
 
 /* The float next to the most that an argument may be counts as that. */
-static inline double gs_widen_to(float x, double most)
+static inline double gs_widen_to(float x, float most, double wide)
 {
-    return x == (float)most ? most : (double)x;
+    return x == most ? wide : (double)x;
 }
 
 /* Exponential and logarithm, both branches of W, and the equations they solve. */
@@ -14759,6 +14749,24 @@ void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const 
         range[i] = gs_projectile_max_rangef(v[i], g[i], k[i]);
 }
 
+/* The largest value that is told, without flags: it is only compared with. */
+static inline double gs_most_of_launch_angles_free(double v, double g)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile double most = gs_projectile_max_range_free(v, g);
+    fesetenv(&flags);
+    return most;
+}
+static inline float gs_most_of_launch_angles_freef(float v, float g)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile float most = gs_projectile_max_range_freef(v, g);
+    fesetenv(&flags);
+    return most;
+}
+
 /* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
  * Operations: 4 add, 1 arctangent, 3 div, 4 mul, 1 sqrt, 1 table. */
 void gs_projectile_launch_angles_free(double r_in, double v_in, double g_in, double *low_out, double *high_out)
@@ -14775,7 +14783,7 @@ void gs_projectile_launch_angles_free(double r_in, double v_in, double g_in, dou
     const gs_scaled v = gs_load(v_in);
     const gs_scaled g = gs_load(g_in);
     const gs_scaled rho = gs_div(gs_mul(r, g), gs_mul(v, v));
-    const double most = gs_compared(gs_div(gs_mul(v, v), g));
+    const double most = gs_most_of_launch_angles_free(v_in, g_in);
     if (isinf(r_in) || r_in > most) {
         *low_out = *high_out = gs_invalid();
         return;
@@ -14810,6 +14818,24 @@ static gs_balance launch_angles_drag_balance(gs_scaled z, gs_scaled alpha)
     return at;
 }
 
+/* The largest value that is told, without flags: it is only compared with. */
+static inline double gs_most_of_launch_angles_drag(double v, double g, double k)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile double most = gs_projectile_max_range_drag(v, g, k);
+    fesetenv(&flags);
+    return most;
+}
+static inline float gs_most_of_launch_angles_dragf(float v, float g, float k)
+{
+    fenv_t flags;
+    feholdexcept(&flags);
+    const volatile float most = gs_projectile_max_range_dragf(v, g, k);
+    fesetenv(&flags);
+    return most;
+}
+
 /* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
  * Operations: 3 div, 5 mul, 1 solver, 2 table. */
 void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
@@ -14828,7 +14854,7 @@ void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, dou
     const gs_scaled k = gs_load(k_in);
     const gs_scaled rho = gs_div(gs_mul(r, g), gs_mul(v, v));
     const gs_scaled alpha = gs_div(gs_mul(v, k), g);
-    const double most = gs_compared(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g));
+    const double most = gs_most_of_launch_angles_drag(v_in, g_in, k_in);
     if (isinf(r_in) || r_in > most) {
         *low_out = *high_out = gs_invalid();
         return;
@@ -14856,7 +14882,7 @@ void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double 
 void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high)
 {
     double low_wide, high_wide;
-    gs_projectile_launch_angles_free(gs_widen_to(r, gs_projectile_max_range_free((double)v, (double)g)), (double)v, (double)g, &low_wide, &high_wide);
+    gs_projectile_launch_angles_free(gs_widen_to(r, gs_most_of_launch_angles_freef(v, g), gs_most_of_launch_angles_free(v, g)), (double)v, (double)g, &low_wide, &high_wide);
     *low = (float)low_wide;
     *high = (float)high_wide;
 }
@@ -14876,7 +14902,7 @@ void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double 
 void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high)
 {
     double low_wide, high_wide;
-    gs_projectile_launch_angles_drag(gs_widen_to(r, gs_projectile_max_range_drag((double)v, (double)g, (double)k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
+    gs_projectile_launch_angles_drag(gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
     *low = (float)low_wide;
     *high = (float)high_wide;
 }
@@ -14896,7 +14922,7 @@ void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, c
 void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high)
 {
     double low_wide, high_wide;
-    gs_projectile_launch_angles(gs_widen_to(r, gs_projectile_max_range((double)v, (double)g, (double)k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
+    gs_projectile_launch_angles(gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
     *low = (float)low_wide;
     *high = (float)high_wide;
 }
