@@ -7,7 +7,7 @@ STAMP := $(VENV)/.installed
 BUILT_OF := CMakeLists.txt $(wildcard generated/c/*.[ch] generated/extension/*.[ch])
 
 .DEFAULT_GOAL := all
-.PHONY: all install test mutants coverage tables exhaustive same-bits hard-cases prove prove-check large-samples bench lint format clean help
+.PHONY: all install test mutants coverage tables exhaustive same-bits singles hard-cases prove prove-check large-samples bench lint format clean help
 
 all: install ## install, then derive, emit and verify everything
 	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
@@ -35,6 +35,9 @@ exhaustive: install ## try the binary32 primitives at all 2^32 inputs; goes on w
 
 same-bits: install ## hold every version of the primitives, by gcc and clang, to the same bits
 	$(BIN)/python tools/exhaustive/same_bits.py
+
+singles: install ## hold the quick binary32 primitives to those by pairs, at all 2^32 inputs
+	$(BIN)/python tools/exhaustive/singles.py
 
 SEED ?= 1
 hard-cases: install ## look for inputs worse than those in tests/data; another SEED tries others

@@ -12,6 +12,7 @@ _DEFINITION = re.compile(  # with the comment before it; in a line, or in many
     re.MULTILINE | re.DOTALL,
 )
 _TABLE = re.compile(r"^GS_TABLE\((gs_\w+)\) = \{\n.*?^\};\n", re.MULTILINE | re.DOTALL)
+_PASTED = ("_value", "_quick")
 _NAME = re.compile(r"\bgs_\w+")
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _FIRST = ("special.c", "lanes.c")  # they set what the vector header asks for
@@ -57,9 +58,9 @@ def _portable(text):
 
 
 def _without(text, kept):
-    """Text without the inline functions and tables whose names are not kept; macros paste those that end in _value."""
+    """Text without the inline functions and tables whose names are not kept; macros paste those with certain ends."""
     text = _TABLE.sub(lambda m: m.group() if m.group(1) in kept else "", text)
-    return _DEFINITION.sub(lambda m: m.group() if m.group(1) in kept or m.group(1).endswith("_value") else "", text)
+    return _DEFINITION.sub(lambda m: m.group() if m.group(1) in kept or m.group(1).endswith(_PASTED) else "", text)
 
 
 def _used(text):

@@ -2,6 +2,7 @@
 
 from galileo_sym.catalogue import FUNCTIONS
 from galileo_sym.codegen import lanes
+from galileo_sym.codegen.forms import VALUES, scaled_name
 from galileo_sym.codegen.printing import (
     PRIMITIVE_TEXT,
     ROUTINE_TEXT,
@@ -64,8 +65,9 @@ def _signatures(function, suffix, force_set):
     for kind in ("double", "float"):
         yield _scalar_signature(function, suffix, force_set, kind)
         yield _array_signature(function, suffix, force_set, kind)
-    if lanes.in_lanes(function) and lanes.VALUES in lanes.shapes(function):
-        yield lanes.signature(function, force_set, lanes.VALUES, public=suffix)
+        if lanes.in_lanes(function) and VALUES in lanes.shapes(function):
+            arithmetic = next(each for each in lanes.ARITHMETICS if each.kind == kind)
+            yield lanes.signature(function, force_set, VALUES, arithmetic, public=suffix)
 
 
 def _guard(function, condition, value):
@@ -197,7 +199,7 @@ def kernel(function, force_set):
     parameters = [f"double {a.name}_in" for a in arguments]
     if not _single(function):
         parameters += [f"double *{o.name}_out" for o in function.outputs]
-    name = lanes.scaled_name(function, force_set) if lanes.in_lanes(function) else c_name(function, force_set)
+    name = scaled_name(function, force_set) if lanes.in_lanes(function) else c_name(function, force_set)
     head = f"{'double' if _single(function) else 'void'} {name}({', '.join(parameters)})"
     missing = " || ".join(f"isnan({a.name}_in)" for a in arguments)
     inside = " && ".join(f"{_DOMAIN_TESTS[a.domain]}({a.name}_in)" for a in arguments)
@@ -285,11 +287,12 @@ def source(paper):
         parts += [kernel(function, force_set) for force_set in function.variants]
         if function.primitive:
             continue
-        if _fullest(function) and not lanes.in_lanes(function):
+        if lanes.in_lanes(function):
+            continue
+        if _fullest(function):
             parts.append(_forward(function))
         for suffix, force_set in variants(function):
-            if not lanes.in_lanes(function):
-                parts.append(_loop(function, suffix, force_set, "double"))
+            parts.append(_loop(function, suffix, force_set, "double"))
             parts.append(_narrow(function, suffix, force_set))
             parts.append(_loop(function, suffix, force_set, "float"))
     return '#include "galileo.h"\n#include "galileo_scaled.h"\n#include "galileo_support.h"\n\n' + "\n".join(parts)

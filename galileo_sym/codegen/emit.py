@@ -14,7 +14,19 @@ import sympy
 import galileo_sym
 from galileo_sym._config import sources_digest
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen import amalgamation, c99, frames, kernels, lanes, numpy, numpy_kernels, pairs, tables, ufunc
+from galileo_sym.codegen import (
+    amalgamation,
+    c99,
+    frames,
+    kernels,
+    lanes,
+    lean,
+    numpy,
+    numpy_kernels,
+    pairs,
+    tables,
+    ufunc,
+)
 
 PINNED = {"sympy": "1.14.0", "mpmath": "1.3.0"}
 KEPT = ("certificates",)  # reviewed and committed by other means, never written here
@@ -108,6 +120,11 @@ def _sources():
     arithmetic = _template("c/galileo_lanes.h").replace("@TURN@\n", lanes.turn_tables())
     arithmetic = arithmetic.replace("@FACTORS@\n", lanes.factors())
     files["c/galileo_lanes.h"] = _c("templates/c/galileo_lanes.h", arithmetic)
+    files["c/galileo_lean.h"] = _c("the frames of galileo_sym.primitives", lean.lean_header())
+    single = _template("c/galileo_single.h").replace("@CALLS@\n", lean.calls())
+    files["c/galileo_single.h"] = _c("templates/c/galileo_single.h", single)
+    singles = lean.singles(_template("c/galileo_singles.h"))
+    files["c/galileo_singles.h"] = _c("templates/c/galileo_singles.h", singles)
     files["c/galileo_scaled.h"] = _c("the catalogue", lanes.scaled_header())
     files["c/galileo_forms.h"] = _c("the stable forms of both papers", lanes.forms_header())
     for name in ("special", "lanes"):

@@ -87,8 +87,8 @@ def _choice(kernel):
     return "".join([*out, "    return r;\n}\n#endif\n\n"])
 
 
-def _served(served, kernel):
-    """Which lanes a range serves; the first one also what comes before it."""
+def served_text(served, kernel):
+    """Return which lanes a range serves; the first one also what comes before it."""
     begin, end = c_number(served.begin), c_number(served.end)
     if isinf(served.end):
         return f"gs_at_least(x, {begin})"
@@ -105,7 +105,7 @@ def _lanes(kernel):
     rare.append("    gs_v other, rest;\n")
     for index, served in enumerate(others, 1):
         rare += [
-            f"    here = {_served(served, kernel)};\n",
+            f"    here = {served_text(served, kernel)};\n",
             f"    other = {call(kernel.name, index, c_number(served.harmless), '&rest')};\n",
             "    r = gs_select(here, other, r);\n    *lo = gs_select(here, rest, *lo);\n",
         ]
@@ -115,7 +115,7 @@ def _lanes(kernel):
             "    return r;\n}\n\n",
             f"/* {kernel.doc}, of vectors inside the domain. */\n",
             f"static inline gs_v gs_{kernel.name}_lanes(gs_v x, gs_v x_lo, gs_v *lo)\n{{\n",
-            f"    const gs_mask here = {_served(typical, kernel)};\n",
+            f"    const gs_mask here = {served_text(typical, kernel)};\n",
             f"    const gs_v r = {call(kernel.name, 0, c_number(typical.harmless), 'lo')};\n",
             f"    return gs_all(here) ? r : gs_{kernel.name}_rarely(x, x_lo, r, lo);\n}}\n\n",
         ]

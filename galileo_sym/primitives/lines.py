@@ -79,8 +79,8 @@ def near_lines(bank, paired):
     return lines
 
 
-def _left(line, zero):
-    """What is left of a line where what is named in ``zero`` is 0: a line, what stands for its name, or None for 0."""
+def left_of(line, zero):
+    """Return what is left of a line where what ``zero`` names is 0: a line, what stands for its name, or None for 0."""
     gone = [operand in zero for operand in line.operands]
     a, *others = line.operands
     if not any(gone):
@@ -115,7 +115,7 @@ def alone(lines):
     """Return what is left of lines for x + x_lo where x_lo is 0: those for x, with the same result."""
     zero, instead, found = {"x_lo"}, {}, []
     for line in lines:
-        left = _left(Line(line.name, line.operation, tuple(instead.get(o, o) for o in line.operands)), zero)
+        left = left_of(Line(line.name, line.operation, tuple(instead.get(o, o) for o in line.operands)), zero)
         if isinstance(left, Line):
             found.append(left)
         elif line.name in ("r", "lo"):

@@ -103,8 +103,8 @@ def _pair(value):
     return head, float(value - mpf(head))
 
 
-def _solve(function, lower, upper, centre, known, powers):
-    """Coefficients of the given powers of d = x - centre that, with the known ones, interpolate at Chebyshev nodes."""
+def solve(function, lower, upper, centre, known, powers):
+    """Return the coefficients of powers of d = x - centre that, with the known ones, interpolate at Chebyshev nodes."""
     half, middle = (mpf(upper) - lower) / 2, (mpf(upper) + lower) / 2
     nodes = [middle + half * mp.cos(mp.pi * (2 * j + 1) / (2 * len(powers))) - centre for j in range(len(powers))]
     left = [function(centre + d) - sum(c * d**k for k, c in known.items()) for d in nodes]
@@ -122,9 +122,9 @@ def _coefficients(function, lower, upper, centre, degree):
     known = {} if centre else {0: function(mpf(0))}
     for rounded in () if centre else (2, 3):
         free = [k for k in range(degree + 1) if k not in known]
-        known[rounded] = mpf(float(_solve(function, lower, upper, centre, known, free)[rounded]))
+        known[rounded] = mpf(float(solve(function, lower, upper, centre, known, free)[rounded]))
     free = [k for k in range(degree + 1) if k not in known]
-    known |= _solve(function, lower, upper, centre, known, free)
+    known |= solve(function, lower, upper, centre, known, free)
     return [known[k] for k in range(degree + 1)]
 
 

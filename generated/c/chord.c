@@ -75,61 +75,6 @@ double gs_scaled_chord_descent_time_friction_drag(double theta_in, double diamet
     return gs_settle(gs_mul(t0, gs_descent_factor(p)), ((isinf(diameter_in) || isinf(gamma_in)) && isinf(g_in)));
 }
 
-float gs_chord_descent_time_freef(float theta, float diameter, float g)
-{
-    return (float)gs_chord_descent_time_free(gs_widen_angle(theta), (double)diameter, (double)g);
-}
-
-void gs_chord_descent_time_free_nf(size_t n, const float *theta, const float *diameter, const float *g, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_freef(theta[i], diameter[i], g[i]);
-}
-
-float gs_chord_descent_time_frictionf(float theta, float diameter, float g, float mu)
-{
-    return (float)gs_chord_descent_time_friction(gs_widen_angle(theta), (double)diameter, (double)g, (double)mu);
-}
-
-void gs_chord_descent_time_friction_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_frictionf(theta[i], diameter[i], g[i], mu[i]);
-}
-
-float gs_chord_descent_time_dragf(float theta, float diameter, float g, float gamma)
-{
-    return (float)gs_chord_descent_time_drag(gs_widen_angle(theta), (double)diameter, (double)g, (double)gamma);
-}
-
-void gs_chord_descent_time_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_dragf(theta[i], diameter[i], g[i], gamma[i]);
-}
-
-float gs_chord_descent_time_friction_dragf(float theta, float diameter, float g, float mu, float gamma)
-{
-    return (float)gs_chord_descent_time_friction_drag(gs_widen_angle(theta), (double)diameter, (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_descent_time_friction_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_friction_dragf(theta[i], diameter[i], g[i], mu[i], gamma[i]);
-}
-
-float gs_chord_descent_timef(float theta, float diameter, float g, float mu, float gamma)
-{
-    return (float)gs_chord_descent_time(gs_widen_angle(theta), (double)diameter, (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_descent_time_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_timef(theta[i], diameter[i], g[i], mu[i], gamma[i]);
-}
-
 /* stable.chord.distance.free, the stable form of chord.eq1.
  * Operations: 3 mul, 1 sine and cosine. */
 double gs_scaled_chord_distance_free(double t_in, double theta_in, double g_in)
@@ -204,61 +149,6 @@ double gs_scaled_chord_distance_friction_drag(double t_in, double theta_in, doub
     return gs_settle(gs_mul(gs_mul(fall, n), gs_phi2m(z)), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
-float gs_chord_distance_freef(float t, float theta, float g)
-{
-    return (float)gs_chord_distance_free((double)t, gs_widen_angle(theta), (double)g);
-}
-
-void gs_chord_distance_free_nf(size_t n, const float *t, const float *theta, const float *g, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_freef(t[i], theta[i], g[i]);
-}
-
-float gs_chord_distance_frictionf(float t, float theta, float g, float mu)
-{
-    return (float)gs_chord_distance_friction((double)t, gs_widen_angle(theta), (double)g, (double)mu);
-}
-
-void gs_chord_distance_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_frictionf(t[i], theta[i], g[i], mu[i]);
-}
-
-float gs_chord_distance_dragf(float t, float theta, float g, float gamma)
-{
-    return (float)gs_chord_distance_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma);
-}
-
-void gs_chord_distance_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_dragf(t[i], theta[i], g[i], gamma[i]);
-}
-
-float gs_chord_distance_friction_dragf(float t, float theta, float g, float mu, float gamma)
-{
-    return (float)gs_chord_distance_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_distance_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
-float gs_chord_distancef(float t, float theta, float g, float mu, float gamma)
-{
-    return (float)gs_chord_distance((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distancef(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
 /* stable.chord.speed.free, the stable form of chord.eq1.
  * Operations: 2 mul, 1 sine and cosine. */
 double gs_scaled_chord_speed_free(double t_in, double theta_in, double g_in)
@@ -327,61 +217,6 @@ double gs_scaled_chord_speed_friction_drag(double t_in, double theta_in, double 
         return 0.0;
     const gs_scaled z = gs_mul(t, gamma);
     return gs_settle(gs_mul(gs_mul(gs_mul(t, g), n), gs_phi1m(z)), (isinf(g_in) && isinf(gamma_in)));
-}
-
-float gs_chord_speed_freef(float t, float theta, float g)
-{
-    return (float)gs_chord_speed_free((double)t, gs_widen_angle(theta), (double)g);
-}
-
-void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const float *g, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_freef(t[i], theta[i], g[i]);
-}
-
-float gs_chord_speed_frictionf(float t, float theta, float g, float mu)
-{
-    return (float)gs_chord_speed_friction((double)t, gs_widen_angle(theta), (double)g, (double)mu);
-}
-
-void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_frictionf(t[i], theta[i], g[i], mu[i]);
-}
-
-float gs_chord_speed_dragf(float t, float theta, float g, float gamma)
-{
-    return (float)gs_chord_speed_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma);
-}
-
-void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_dragf(t[i], theta[i], g[i], gamma[i]);
-}
-
-float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma)
-{
-    return (float)gs_chord_speed_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
-float gs_chord_speedf(float t, float theta, float g, float mu, float gamma)
-{
-    return (float)gs_chord_speed((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speedf(t[i], theta[i], g[i], mu[i], gamma[i]);
 }
 
 /* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
@@ -492,76 +327,6 @@ void gs_scaled_chord_position_friction_drag(double t_in, double theta_in, double
     *y_out = gs_settle(gs_mul(shared, C), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
-void gs_chord_position_freef(float t, float theta, float g, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position_free((double)t, gs_widen_angle(theta), (double)g, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_free_nf(size_t n, const float *t, const float *theta, const float *g, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_freef(t[i], theta[i], g[i], x + i, y + i);
-}
-
-void gs_chord_position_frictionf(float t, float theta, float g, float mu, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position_friction((double)t, gs_widen_angle(theta), (double)g, (double)mu, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_frictionf(t[i], theta[i], g[i], mu[i], x + i, y + i);
-}
-
-void gs_chord_position_dragf(float t, float theta, float g, float gamma, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_dragf(t[i], theta[i], g[i], gamma[i], x + i, y + i);
-}
-
-void gs_chord_position_friction_dragf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i], x + i, y + i);
-}
-
-void gs_chord_positionf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_positionf(t[i], theta[i], g[i], mu[i], gamma[i], x + i, y + i);
-}
-
 /* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
  * Operations: 2 mul. */
 void gs_scaled_chord_synchronous_circle_free(double t_in, double g_in, double *X_out, double *Y_out, double *R_out)
@@ -650,81 +415,6 @@ void gs_scaled_chord_synchronous_circle_friction_drag(double t_in, double g_in, 
     *R_out = gs_settle(gs_mul(gs_sqrt(gs_add(gs_constant(1.0), gs_mul(mu, mu))), gs_scale(shared, -1)), ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && isinf(gamma_in)));
 }
 
-void gs_chord_synchronous_circle_freef(float t, float g, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle_free((double)t, (double)g, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_free_nf(size_t n, const float *t, const float *g, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_freef(t[i], g[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circle_frictionf(float t, float g, float mu, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle_friction((double)t, (double)g, (double)mu, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_friction_nf(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_frictionf(t[i], g[i], mu[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circle_dragf(float t, float g, float gamma, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle_drag((double)t, (double)g, (double)gamma, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_drag_nf(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_dragf(t[i], g[i], gamma[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circle_friction_dragf(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle_friction_drag((double)t, (double)g, (double)mu, (double)gamma, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_friction_drag_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_friction_dragf(t[i], g[i], mu[i], gamma[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circlef(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle((double)t, (double)g, (double)mu, (double)gamma, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circlef(t[i], g[i], mu[i], gamma[i], X + i, Y + i, R + i);
-}
-
 /* stable.chord.max_angle, the stable form of chord.eq13.
  * Operations: 1 table. */
 double gs_scaled_chord_max_angle(double mu_in)
@@ -735,15 +425,4 @@ double gs_scaled_chord_max_angle(double mu_in)
         return gs_invalid();
     const gs_scaled mu = gs_load(mu_in);
     return gs_store(gs_acot(mu));
-}
-
-float gs_chord_max_anglef(float mu)
-{
-    return (float)gs_chord_max_angle((double)mu);
-}
-
-void gs_chord_max_angle_nf(size_t n, const float *mu, float *angle)
-{
-    for (size_t i = 0; i < n; i++)
-        angle[i] = gs_chord_max_anglef(mu[i]);
 }

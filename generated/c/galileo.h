@@ -42,29 +42,34 @@ const char *gs_vectors(void);
  */
 double gs_chord_descent_time_free(double theta, double diameter, double g);
 void gs_chord_descent_time_free_n(size_t n, const double *theta, const double *diameter, const double *g, double *time);
+void gs_chord_descent_time_free_nu(size_t n, const double *theta, double diameter, double g, double *time);
 float gs_chord_descent_time_freef(float theta, float diameter, float g);
 void gs_chord_descent_time_free_nf(size_t n, const float *theta, const float *diameter, const float *g, float *time);
-void gs_chord_descent_time_free_nu(size_t n, const double *theta, double diameter, double g, double *time);
+void gs_chord_descent_time_free_nuf(size_t n, const float *theta, float diameter, float g, float *time);
 double gs_chord_descent_time_friction(double theta, double diameter, double g, double mu);
 void gs_chord_descent_time_friction_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time);
+void gs_chord_descent_time_friction_nu(size_t n, const double *theta, double diameter, double g, double mu, double *time);
 float gs_chord_descent_time_frictionf(float theta, float diameter, float g, float mu);
 void gs_chord_descent_time_friction_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time);
-void gs_chord_descent_time_friction_nu(size_t n, const double *theta, double diameter, double g, double mu, double *time);
+void gs_chord_descent_time_friction_nuf(size_t n, const float *theta, float diameter, float g, float mu, float *time);
 double gs_chord_descent_time_drag(double theta, double diameter, double g, double gamma);
 void gs_chord_descent_time_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time);
+void gs_chord_descent_time_drag_nu(size_t n, const double *theta, double diameter, double g, double gamma, double *time);
 float gs_chord_descent_time_dragf(float theta, float diameter, float g, float gamma);
 void gs_chord_descent_time_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time);
-void gs_chord_descent_time_drag_nu(size_t n, const double *theta, double diameter, double g, double gamma, double *time);
+void gs_chord_descent_time_drag_nuf(size_t n, const float *theta, float diameter, float g, float gamma, float *time);
 double gs_chord_descent_time_friction_drag(double theta, double diameter, double g, double mu, double gamma);
 void gs_chord_descent_time_friction_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
+void gs_chord_descent_time_friction_drag_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
 float gs_chord_descent_time_friction_dragf(float theta, float diameter, float g, float mu, float gamma);
 void gs_chord_descent_time_friction_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
-void gs_chord_descent_time_friction_drag_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
+void gs_chord_descent_time_friction_drag_nuf(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time);
 double gs_chord_descent_time(double theta, double diameter, double g, double mu, double gamma);
 void gs_chord_descent_time_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
+void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
 float gs_chord_descent_timef(float theta, float diameter, float g, float mu, float gamma);
 void gs_chord_descent_time_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
-void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
+void gs_chord_descent_time_nuf(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time);
 
 /* Distance a bead released from rest has gone along a chord.
  *
@@ -86,29 +91,34 @@ void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, do
  */
 double gs_chord_distance_free(double t, double theta, double g);
 void gs_chord_distance_free_n(size_t n, const double *t, const double *theta, const double *g, double *distance);
+void gs_chord_distance_free_nu(size_t n, const double *t, const double *theta, double g, double *distance);
 float gs_chord_distance_freef(float t, float theta, float g);
 void gs_chord_distance_free_nf(size_t n, const float *t, const float *theta, const float *g, float *distance);
-void gs_chord_distance_free_nu(size_t n, const double *t, const double *theta, double g, double *distance);
+void gs_chord_distance_free_nuf(size_t n, const float *t, const float *theta, float g, float *distance);
 double gs_chord_distance_friction(double t, double theta, double g, double mu);
 void gs_chord_distance_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance);
+void gs_chord_distance_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *distance);
 float gs_chord_distance_frictionf(float t, float theta, float g, float mu);
 void gs_chord_distance_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance);
-void gs_chord_distance_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *distance);
+void gs_chord_distance_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *distance);
 double gs_chord_distance_drag(double t, double theta, double g, double gamma);
 void gs_chord_distance_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance);
+void gs_chord_distance_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *distance);
 float gs_chord_distance_dragf(float t, float theta, float g, float gamma);
 void gs_chord_distance_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance);
-void gs_chord_distance_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *distance);
+void gs_chord_distance_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *distance);
 double gs_chord_distance_friction_drag(double t, double theta, double g, double mu, double gamma);
 void gs_chord_distance_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
+void gs_chord_distance_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
 float gs_chord_distance_friction_dragf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_distance_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
-void gs_chord_distance_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
+void gs_chord_distance_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance);
 double gs_chord_distance(double t, double theta, double g, double mu, double gamma);
 void gs_chord_distance_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
+void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
 float gs_chord_distancef(float t, float theta, float g, float mu, float gamma);
 void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
-void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
+void gs_chord_distance_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance);
 
 /* Speed along a chord of a bead released from rest.
  *
@@ -130,29 +140,34 @@ void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double
  */
 double gs_chord_speed_free(double t, double theta, double g);
 void gs_chord_speed_free_n(size_t n, const double *t, const double *theta, const double *g, double *speed);
+void gs_chord_speed_free_nu(size_t n, const double *t, const double *theta, double g, double *speed);
 float gs_chord_speed_freef(float t, float theta, float g);
 void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const float *g, float *speed);
-void gs_chord_speed_free_nu(size_t n, const double *t, const double *theta, double g, double *speed);
+void gs_chord_speed_free_nuf(size_t n, const float *t, const float *theta, float g, float *speed);
 double gs_chord_speed_friction(double t, double theta, double g, double mu);
 void gs_chord_speed_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed);
+void gs_chord_speed_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *speed);
 float gs_chord_speed_frictionf(float t, float theta, float g, float mu);
 void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed);
-void gs_chord_speed_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *speed);
+void gs_chord_speed_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *speed);
 double gs_chord_speed_drag(double t, double theta, double g, double gamma);
 void gs_chord_speed_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed);
+void gs_chord_speed_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *speed);
 float gs_chord_speed_dragf(float t, float theta, float g, float gamma);
 void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed);
-void gs_chord_speed_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *speed);
+void gs_chord_speed_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *speed);
 double gs_chord_speed_friction_drag(double t, double theta, double g, double mu, double gamma);
 void gs_chord_speed_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
+void gs_chord_speed_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
 float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
-void gs_chord_speed_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
+void gs_chord_speed_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed);
 double gs_chord_speed(double t, double theta, double g, double mu, double gamma);
 void gs_chord_speed_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
+void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
 float gs_chord_speedf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
-void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
+void gs_chord_speed_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed);
 
 /* Position of a bead released from rest at the top, x to the right and y down.
  *
@@ -175,29 +190,34 @@ void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g,
  */
 void gs_chord_position_free(double t, double theta, double g, double *x, double *y);
 void gs_chord_position_free_n(size_t n, const double *t, const double *theta, const double *g, double *x, double *y);
+void gs_chord_position_free_nu(size_t n, const double *t, const double *theta, double g, double *x, double *y);
 void gs_chord_position_freef(float t, float theta, float g, float *x, float *y);
 void gs_chord_position_free_nf(size_t n, const float *t, const float *theta, const float *g, float *x, float *y);
-void gs_chord_position_free_nu(size_t n, const double *t, const double *theta, double g, double *x, double *y);
+void gs_chord_position_free_nuf(size_t n, const float *t, const float *theta, float g, float *x, float *y);
 void gs_chord_position_friction(double t, double theta, double g, double mu, double *x, double *y);
 void gs_chord_position_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y);
+void gs_chord_position_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y);
 void gs_chord_position_frictionf(float t, float theta, float g, float mu, float *x, float *y);
 void gs_chord_position_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y);
-void gs_chord_position_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y);
+void gs_chord_position_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *x, float *y);
 void gs_chord_position_drag(double t, double theta, double g, double gamma, double *x, double *y);
 void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y);
+void gs_chord_position_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y);
 void gs_chord_position_dragf(float t, float theta, float g, float gamma, float *x, float *y);
 void gs_chord_position_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y);
-void gs_chord_position_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y);
+void gs_chord_position_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *x, float *y);
 void gs_chord_position_friction_drag(double t, double theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position_friction_dragf(float t, float theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_position_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
-void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_position(double t, double theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
+void gs_chord_position_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_positionf(float t, float theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_position_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
-void gs_chord_position_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
+void gs_chord_position_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y);
 
 /* Circle on which beads released together are found: centre (-X, Y) for theta > 0, (X, Y) for theta < 0.
  *
@@ -219,29 +239,34 @@ void gs_chord_position_nu(size_t n, const double *t, const double *theta, double
  */
 void gs_chord_synchronous_circle_free(double t, double g, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_free_n(size_t n, const double *t, const double *g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_freef(float t, float g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_free_nf(size_t n, const float *t, const float *g, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nuf(size_t n, const float *t, float g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction(double t, double g, double mu, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nu(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_frictionf(float t, float g, float mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_nf(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_friction_nu(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nuf(size_t n, const float *t, float g, float mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag(double t, double g, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_drag_n(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_dragf(float t, float g, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_nf(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nuf(size_t n, const float *t, float g, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag(double t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_dragf(float t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_friction_drag_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nuf(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circlef(float t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_nuf(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R);
 
 /* Angle from the vertical from which on friction holds a bead at rest.
  *
@@ -274,19 +299,22 @@ void gs_chord_max_angle_nf(size_t n, const float *mu, float *angle);
  */
 double gs_projectile_flight_time_free(double theta, double v, double g);
 void gs_projectile_flight_time_free_n(size_t n, const double *theta, const double *v, const double *g, double *time);
+void gs_projectile_flight_time_free_nu(size_t n, const double *theta, double v, double g, double *time);
 float gs_projectile_flight_time_freef(float theta, float v, float g);
 void gs_projectile_flight_time_free_nf(size_t n, const float *theta, const float *v, const float *g, float *time);
-void gs_projectile_flight_time_free_nu(size_t n, const double *theta, double v, double g, double *time);
+void gs_projectile_flight_time_free_nuf(size_t n, const float *theta, float v, float g, float *time);
 double gs_projectile_flight_time_drag(double theta, double v, double g, double k);
 void gs_projectile_flight_time_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
+void gs_projectile_flight_time_drag_nu(size_t n, const double *theta, double v, double g, double k, double *time);
 float gs_projectile_flight_time_dragf(float theta, float v, float g, float k);
 void gs_projectile_flight_time_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
-void gs_projectile_flight_time_drag_nu(size_t n, const double *theta, double v, double g, double k, double *time);
+void gs_projectile_flight_time_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *time);
 double gs_projectile_flight_time(double theta, double v, double g, double k);
 void gs_projectile_flight_time_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
+void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, double g, double k, double *time);
 float gs_projectile_flight_timef(float theta, float v, float g, float k);
 void gs_projectile_flight_time_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
-void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, double g, double k, double *time);
+void gs_projectile_flight_time_nuf(size_t n, const float *theta, float v, float g, float k, float *time);
 
 /* Horizontal distance at which a projectile is back at the height of its launch.
  *
@@ -304,19 +332,22 @@ void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, doubl
  */
 double gs_projectile_horizontal_range_free(double theta, double v, double g);
 void gs_projectile_horizontal_range_free_n(size_t n, const double *theta, const double *v, const double *g, double *range);
+void gs_projectile_horizontal_range_free_nu(size_t n, const double *theta, double v, double g, double *range);
 float gs_projectile_horizontal_range_freef(float theta, float v, float g);
 void gs_projectile_horizontal_range_free_nf(size_t n, const float *theta, const float *v, const float *g, float *range);
-void gs_projectile_horizontal_range_free_nu(size_t n, const double *theta, double v, double g, double *range);
+void gs_projectile_horizontal_range_free_nuf(size_t n, const float *theta, float v, float g, float *range);
 double gs_projectile_horizontal_range_drag(double theta, double v, double g, double k);
 void gs_projectile_horizontal_range_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_horizontal_range_drag_nu(size_t n, const double *theta, double v, double g, double k, double *range);
 float gs_projectile_horizontal_range_dragf(float theta, float v, float g, float k);
 void gs_projectile_horizontal_range_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
-void gs_projectile_horizontal_range_drag_nu(size_t n, const double *theta, double v, double g, double k, double *range);
+void gs_projectile_horizontal_range_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *range);
 double gs_projectile_horizontal_range(double theta, double v, double g, double k);
 void gs_projectile_horizontal_range_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, double g, double k, double *range);
 float gs_projectile_horizontal_rangef(float theta, float v, float g, float k);
 void gs_projectile_horizontal_range_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
-void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, double g, double k, double *range);
+void gs_projectile_horizontal_range_nuf(size_t n, const float *theta, float v, float g, float k, float *range);
 
 /* Position of a projectile launched from the origin, y up.
  *
@@ -337,19 +368,22 @@ void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, 
  */
 void gs_projectile_position_free(double t, double theta, double v, double g, double *x, double *y);
 void gs_projectile_position_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y);
+void gs_projectile_position_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y);
 void gs_projectile_position_freef(float t, float theta, float v, float g, float *x, float *y);
 void gs_projectile_position_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y);
-void gs_projectile_position_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y);
+void gs_projectile_position_free_nuf(size_t n, const float *t, const float *theta, float v, float g, float *x, float *y);
 void gs_projectile_position_drag(double t, double theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
+void gs_projectile_position_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position_dragf(float t, float theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_position_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
-void gs_projectile_position_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
+void gs_projectile_position_drag_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_position(double t, double theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
+void gs_projectile_position_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_positionf(float t, float theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_position_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
-void gs_projectile_position_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
+void gs_projectile_position_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y);
 
 /* Velocity of a projectile, y up.
  *
@@ -370,19 +404,22 @@ void gs_projectile_position_nu(size_t n, const double *t, const double *theta, d
  */
 void gs_projectile_velocity_free(double t, double theta, double v, double g, double *vx, double *vy);
 void gs_projectile_velocity_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy);
+void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy);
 void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy);
 void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy);
-void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy);
+void gs_projectile_velocity_free_nuf(size_t n, const float *t, const float *theta, float v, float g, float *vx, float *vy);
 void gs_projectile_velocity_drag(double t, double theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
-void gs_projectile_velocity_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_velocity(double t, double theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
+void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
-void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
+void gs_projectile_velocity_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy);
 
 /* Derivative of the range with respect to the elevation.
  *
@@ -401,19 +438,22 @@ void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, d
  */
 double gs_projectile_range_slope_theta_free(double theta, double v, double g);
 void gs_projectile_range_slope_theta_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_theta_free_nu(size_t n, const double *theta, double v, double g, double *slope);
 float gs_projectile_range_slope_theta_freef(float theta, float v, float g);
 void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope);
-void gs_projectile_range_slope_theta_free_nu(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_theta_free_nuf(size_t n, const float *theta, float v, float g, float *slope);
 double gs_projectile_range_slope_theta_drag(double theta, double v, double g, double k);
 void gs_projectile_range_slope_theta_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_theta_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
-void gs_projectile_range_slope_theta_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_theta_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *slope);
 double gs_projectile_range_slope_theta(double theta, double v, double g, double k);
 void gs_projectile_range_slope_theta_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
-void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_theta_nuf(size_t n, const float *theta, float v, float g, float k, float *slope);
 
 /* Derivative of the range with respect to the resistance coefficient; without resistance its limit.
  *
@@ -431,19 +471,22 @@ void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v,
  */
 double gs_projectile_range_slope_k_free(double theta, double v, double g);
 void gs_projectile_range_slope_k_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_k_free_nu(size_t n, const double *theta, double v, double g, double *slope);
 float gs_projectile_range_slope_k_freef(float theta, float v, float g);
 void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope);
-void gs_projectile_range_slope_k_free_nu(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_k_free_nuf(size_t n, const float *theta, float v, float g, float *slope);
 double gs_projectile_range_slope_k_drag(double theta, double v, double g, double k);
 void gs_projectile_range_slope_k_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_k_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
-void gs_projectile_range_slope_k_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_k_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *slope);
 double gs_projectile_range_slope_k(double theta, double v, double g, double k);
 void gs_projectile_range_slope_k_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_k_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 float gs_projectile_range_slope_kf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
-void gs_projectile_range_slope_k_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_k_nuf(size_t n, const float *theta, float v, float g, float k, float *slope);
 
 /* Greatest range, over all elevations.
  *

@@ -2,8 +2,8 @@
 #ifndef GALILEO_FORMS_H
 #define GALILEO_FORMS_H
 
-#include "galileo_lanes.h"
 #include "galileo_scaled.h"
+#include "galileo_single.h"
 
 /* stable.chord.descent_time.free, the stable form of chord.eq4.
  * Operations: 1 div, 1 sqrt. */
@@ -48,6 +48,47 @@ void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double
 
 /* stable.chord.descent_time.free, the stable form of chord.eq4.
  * Operations: 1 div, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, float *time_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            diameter_in = gs_padded_single(pad[1], diameter_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v diameter_here = gs_v_widen(diameter_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v D = gs_select(good, diameter_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+        gs_v time_here = t0;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], time_here);
+            memcpy(time_out, pad[3], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.free, the stable form of chord.eq4.
+ * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -82,6 +123,46 @@ void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const doubl
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.free, the stable form of chord.eq4.
+ * Operations: 1 div, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        gs_v time_here = t0;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[j]), diameter_in, g_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -138,6 +219,56 @@ void GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(size_t count, const do
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
  * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_friction_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *mu_in, float *time_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            diameter_in = gs_padded_single(pad[1], diameter_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v diameter_here = gs_v_widen(diameter_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v D = gs_select(good, diameter_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], mu_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
+ * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -180,6 +311,54 @@ void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const d
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
+ * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float mu_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[j]), diameter_in, g_in, mu_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -232,6 +411,52 @@ void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double
 
 /* stable.chord.descent_time.drag, the stable form of chord.eq36.
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *gamma_in, float *time_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            diameter_in = gs_padded_single(pad[1], diameter_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v diameter_here = gs_v_widen(diameter_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v D = gs_select(good, diameter_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+        const gs_v p = gs_s_mul(gamma, t0);
+        gs_v time_here = gs_s_mul(t0, gs_s_descent_factor(p));
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], gamma_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.drag, the stable form of chord.eq36.
+ * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double gamma_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -271,6 +496,51 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.drag, the stable form of chord.eq36.
+ * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float gamma_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+    const gs_v p = gs_s_mul(gamma, t0);
+    const gs_v once1 = gs_s_mul(t0, gs_s_descent_factor(p));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        gs_v time_here = once1;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[j]), diameter_in, g_in, gamma_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -332,6 +602,61 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, con
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
  * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_friction_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *mu_in, const float *gamma_in, float *time_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            diameter_in = gs_padded_single(pad[1], diameter_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v diameter_here = gs_v_widen(diameter_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v D = gs_select(good, diameter_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
+        const gs_v p = gs_s_mul(gamma, t0);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, gs_s_descent_factor(p)));
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], mu_in[j], gamma_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], time_here);
+            memcpy(time_out, pad[5], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
+ * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double gamma_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -382,6 +707,58 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, co
     }
 }
 
+/* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
+ * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float mu_in, float gamma_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
+        const gs_v p = gs_s_mul(gamma, t0);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, gs_s_descent_factor(p)));
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[j]), diameter_in, g_in, mu_in, gamma_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
 /* stable.chord.distance.free, the stable form of chord.eq1.
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *distance_out)
@@ -428,6 +805,50 @@ void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_
 
 /* stable.chord.distance.free, the stable form of chord.eq1.
  * Operations: 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *distance_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        gs_v distance_here = gs_s_scaled(gs_s_mul(fall, C), 0.5);
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], distance_here);
+            memcpy(distance_out, pad[3], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.free, the stable form of chord.eq1.
+ * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *distance_out)
 {
     double pad[3][GS_LANES];
@@ -466,6 +887,50 @@ void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t
             return;
         }
         gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.free, the stable form of chord.eq1.
+ * Operations: 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *distance_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        gs_v distance_here = gs_s_scaled(gs_s_mul(fall, C), 0.5);
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], gs_wide_angle(theta_in[j]), g_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
     }
 }
@@ -521,6 +986,55 @@ void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double
 
 /* stable.chord.distance.friction, the stable form of chord.eq15.
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *distance_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(fall, n), 0.5));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], distance_here);
+            memcpy(distance_out, pad[4], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *distance_out)
 {
     double pad[3][GS_LANES];
@@ -563,6 +1077,54 @@ void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const doubl
             return;
         }
         gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *distance_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(fall, n), 0.5));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
     }
 }
@@ -618,6 +1180,55 @@ void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_
 
 /* stable.chord.distance.drag, the stable form of chord.eq29.
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *distance_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], distance_here);
+            memcpy(distance_out, pad[4], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.drag, the stable form of chord.eq29.
+ * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *distance_out)
 {
     double pad[3][GS_LANES];
@@ -660,6 +1271,54 @@ void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t
             return;
         }
         gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.drag, the stable form of chord.eq29.
+ * Operations: 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *distance_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
     }
 }
@@ -720,6 +1379,60 @@ void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const d
 
 /* stable.chord.distance.friction_drag, the stable form of chord.eq41.
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *distance_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z)));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], distance_here);
+            memcpy(distance_out, pad[5], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *distance_out)
 {
     double pad[3][GS_LANES];
@@ -770,6 +1483,58 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     }
 }
 
+/* stable.chord.distance.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *distance_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z)));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
 /* stable.chord.speed.free, the stable form of chord.eq1.
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *speed_out)
@@ -815,6 +1580,49 @@ void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in,
 
 /* stable.chord.speed.free, the stable form of chord.eq1.
  * Operations: 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *speed_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], speed_here);
+            memcpy(speed_out, pad[3], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.free, the stable form of chord.eq1.
+ * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *speed_out)
 {
     double pad[3][GS_LANES];
@@ -852,6 +1660,49 @@ void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in
             return;
         }
         gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.free, the stable form of chord.eq1.
+ * Operations: 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *speed_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], gs_wide_angle(theta_in[j]), g_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
     }
 }
@@ -906,6 +1757,54 @@ void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t
 
 /* stable.chord.speed.friction, the stable form of chord.eq15.
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *speed_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], speed_here);
+            memcpy(speed_out, pad[4], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *speed_out)
 {
     double pad[3][GS_LANES];
@@ -947,6 +1846,53 @@ void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *
             return;
         }
         gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *speed_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
     }
 }
@@ -1001,6 +1947,54 @@ void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in,
 
 /* stable.chord.speed.drag, the stable form of chord.eq29.
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *speed_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), gs_s_phi1m(z));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], speed_here);
+            memcpy(speed_out, pad[4], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.drag, the stable form of chord.eq29.
+ * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *speed_out)
 {
     double pad[3][GS_LANES];
@@ -1042,6 +2036,53 @@ void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in
             return;
         }
         gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.drag, the stable form of chord.eq29.
+ * Operations: 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *speed_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), gs_s_phi1m(z));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
     }
 }
@@ -1101,6 +2142,59 @@ void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const doub
 
 /* stable.chord.speed.friction_drag, the stable form of chord.eq41.
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *speed_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), gs_s_phi1m(z)));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], speed_here);
+            memcpy(speed_out, pad[5], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *speed_out)
 {
     double pad[3][GS_LANES];
@@ -1146,6 +2240,57 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
             return;
         }
         gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *speed_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), gs_s_phi1m(z)));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
     }
 }
@@ -1204,6 +2349,58 @@ void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_
 
 /* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
  * Operations: 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *x_out, float *y_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v shared = gs_s_mul(fall, C);
+        const gs_v S = gs_s_sine(a);
+        gs_v x_here = gs_s_scaled(gs_s_mul(shared, S), 0.5);
+        gs_v y_here = gs_s_scaled(gs_s_mul(shared, C), 0.5);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], x_here);
+            memcpy(x_out, pad[3], here * sizeof *x_out);
+            gs_v_narrow(pad[4], y_here);
+            memcpy(y_out, pad[4], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
+ * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -1250,6 +2447,58 @@ void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
+ * Operations: 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v shared = gs_s_mul(fall, C);
+        const gs_v S = gs_s_sine(a);
+        gs_v x_here = gs_s_scaled(gs_s_mul(shared, S), 0.5);
+        gs_v y_here = gs_s_scaled(gs_s_mul(shared, C), 0.5);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_free(t_in[j], gs_wide_angle(theta_in[j]), g_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -1314,6 +2563,64 @@ void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double
 
 /* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *x_out, float *y_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v shared = gs_s_mul(fall, n);
+        const gs_v S = gs_s_sine(a);
+        const gs_v C = gs_s_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, S), 0.5));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, C), 0.5));
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_narrow(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -1365,6 +2672,63 @@ void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const doubl
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v shared = gs_s_mul(fall, n);
+        const gs_v S = gs_s_sine(a);
+        const gs_v C = gs_s_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, S), 0.5));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, C), 0.5));
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -1428,6 +2792,63 @@ void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_
 
 /* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *x_out, float *y_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
+        const gs_v S = gs_s_sine(a);
+        gs_v x_here = gs_s_mul(shared, S);
+        gs_v y_here = gs_s_mul(shared, C);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_narrow(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
+ * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -1478,6 +2899,62 @@ void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
+ * Operations: 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
+        const gs_v S = gs_s_sine(a);
+        gs_v x_here = gs_s_mul(shared, S);
+        gs_v y_here = gs_s_mul(shared, C);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -1547,6 +3024,69 @@ void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const d
 
 /* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *x_out, float *y_out)
+{
+    float pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z));
+        const gs_v S = gs_s_sine(a);
+        const gs_v C = gs_s_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], x_here);
+            memcpy(x_out, pad[5], here * sizeof *x_out);
+            gs_v_narrow(pad[6], y_here);
+            memcpy(y_out, pad[6], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
+ * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -1606,6 +3146,67 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     }
 }
 
+/* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
+ * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z));
+        const gs_v S = gs_s_sine(a);
+        const gs_v C = gs_s_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
 /* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, double *X_out, double *Y_out, double *R_out)
@@ -1658,6 +3259,56 @@ void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const 
 
 /* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
  * Operations: 2 mul. */
+void GS_JOIN(gs_chord_synchronous_circle_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v X_here = gs_s_constant(0.0);
+        gs_v Y_here = gs_s_scaled(fall, 0.25);
+        gs_v R_here = gs_s_scaled(fall, 0.25);
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], X_here);
+            memcpy(X_out, pad[2], here * sizeof *X_out);
+            gs_v_narrow(pad[3], Y_here);
+            memcpy(Y_out, pad[3], here * sizeof *Y_out);
+            gs_v_narrow(pad[4], R_here);
+            memcpy(R_out, pad[4], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
+ * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double *X_out, double *Y_out, double *R_out)
 {
     double pad[4][GS_LANES];
@@ -1702,6 +3353,56 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const
         gs_v_store(X_out, X_here);
         gs_v_store(Y_out, Y_here);
         gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
+ * Operations: 2 mul. */
+void GS_JOIN(gs_chord_synchronous_circle_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v X_here = gs_s_constant(0.0);
+        gs_v Y_here = gs_s_scaled(fall, 0.25);
+        gs_v R_here = gs_s_scaled(fall, 0.25);
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_narrow(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_narrow(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
         count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
     }
 }
@@ -1762,6 +3463,60 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, co
 
 /* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
  * Operations: 1 add, 5 mul, 1 sqrt. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *mu_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+            mu_in = gs_padded_single(pad[2], mu_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v X_here = gs_s_scaled(gs_s_mul(mu, fall), 0.25);
+        gs_v Y_here = gs_s_scaled(fall, 0.25);
+        gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(fall, 0.25));
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in[j], mu_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], X_here);
+            memcpy(X_out, pad[3], here * sizeof *X_out);
+            gs_v_narrow(pad[4], Y_here);
+            memcpy(Y_out, pad[4], here * sizeof *Y_out);
+            gs_v_narrow(pad[5], R_here);
+            memcpy(R_out, pad[5], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
+ * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double *X_out, double *Y_out, double *R_out)
 {
     double pad[4][GS_LANES];
@@ -1810,6 +3565,60 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, c
         gs_v_store(X_out, X_here);
         gs_v_store(Y_out, Y_here);
         gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
+ * Operations: 1 add, 5 mul, 1 sqrt. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float mu_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v once1 = gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &known));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v X_here = gs_s_scaled(gs_s_mul(mu, fall), 0.25);
+        gs_v Y_here = gs_s_scaled(fall, 0.25);
+        gs_v R_here = gs_s_mul(once1, gs_s_scaled(fall, 0.25));
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_narrow(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_narrow(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
         count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
     }
 }
@@ -1872,6 +3681,62 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const 
 
 /* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
  * Operations: 4 mul, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *gamma_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+            gamma_in = gs_padded_single(pad[2], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
+        gs_v X_here = gs_s_constant(0.0);
+        gs_v Y_here = gs_s_scaled(shared, 0.5);
+        gs_v R_here = gs_s_scaled(shared, 0.5);
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], X_here);
+            memcpy(X_out, pad[3], here * sizeof *X_out);
+            gs_v_narrow(pad[4], Y_here);
+            memcpy(Y_out, pad[4], here * sizeof *Y_out);
+            gs_v_narrow(pad[5], R_here);
+            memcpy(R_out, pad[5], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
+ * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
     double pad[4][GS_LANES];
@@ -1921,6 +3786,61 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const
         gs_v_store(X_out, X_here);
         gs_v_store(Y_out, Y_here);
         gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
+ * Operations: 4 mul, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float gamma_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
+        gs_v X_here = gs_s_constant(0.0);
+        gs_v Y_here = gs_s_scaled(shared, 0.5);
+        gs_v R_here = gs_s_scaled(shared, 0.5);
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_narrow(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_narrow(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
         count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
     }
 }
@@ -1987,6 +3907,66 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t coun
 
 /* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *mu_in, const float *gamma_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+            mu_in = gs_padded_single(pad[2], mu_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
+        gs_v X_here = gs_s_scaled(gs_s_mul(mu, shared), 0.5);
+        gs_v Y_here = gs_s_scaled(shared, 0.5);
+        gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(shared, 0.5));
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in[j], mu_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], X_here);
+            memcpy(X_out, pad[4], here * sizeof *X_out);
+            gs_v_narrow(pad[5], Y_here);
+            memcpy(Y_out, pad[5], here * sizeof *Y_out);
+            gs_v_narrow(pad[6], R_here);
+            memcpy(R_out, pad[6], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
+ * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
     double pad[4][GS_LANES];
@@ -2044,6 +4024,65 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
     }
 }
 
+/* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
+ * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float mu_in, float gamma_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    const gs_v once1 = gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &known));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
+        gs_v X_here = gs_s_scaled(gs_s_mul(mu, shared), 0.5);
+        gs_v Y_here = gs_s_scaled(shared, 0.5);
+        gs_v R_here = gs_s_mul(once1, gs_s_scaled(shared, 0.5));
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_narrow(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_narrow(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
 /* stable.chord.max_angle, the stable form of chord.eq13.
  * Operations: 1 table. */
 void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in, double *angle_out)
@@ -2073,6 +4112,39 @@ void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in,
             return;
         }
         gs_v_store(angle_out, angle_here);
+        count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
+    }
+}
+
+/* stable.chord.max_angle, the stable form of chord.eq13.
+ * Operations: 1 table. */
+void GS_JOIN(gs_chord_max_angle_nf, GS_SUFFIX)(size_t count, const float *mu_in, float *angle_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            mu_in = gs_padded_single(pad[0], mu_in, here);
+        }
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(mu_here, 0.0, 0x1p+128);
+        const gs_v mu = gs_select(good, mu_here, one);
+        gs_v angle_here = gs_s_acot(mu);
+        if (!gs_all(good)) {
+            double angle_each[GS_LANES];
+            gs_v_store(angle_each, angle_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    angle_each[j] = gs_scaled_chord_max_angle(mu_in[j]);
+            angle_here = gs_v_load(angle_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], angle_here);
+            memcpy(angle_out, pad[1], here * sizeof *angle_out);
+            return;
+        }
+        gs_v_narrow(angle_out, angle_here);
         count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
     }
 }
@@ -2123,6 +4195,50 @@ void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const do
 
 /* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_flight_time_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *time_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        gs_v time_here = gs_s_scaled(rise, 2.0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], time_here);
+            memcpy(time_out, pad[3], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
+ * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -2160,6 +4276,49 @@ void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const d
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
+ * Operations: 1 div, 1 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        gs_v time_here = gs_s_scaled(rise, 2.0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[j]), v_in, g_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -2215,6 +4374,55 @@ void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const do
 
 /* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_flight_time_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *time_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            k_in = gs_padded_single(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v time_here = gs_s_scaled(gs_s_mul(rise, gs_s_flight_factor(b)), 2.0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
+ * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -2256,6 +4464,53 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
+ * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v time_here = gs_s_scaled(gs_s_mul(rise, gs_s_flight_factor(b)), 2.0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -2307,6 +4562,51 @@ void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, con
 
 /* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_horizontal_range_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *range_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(v, rise), C), 2.0);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], range_here);
+            memcpy(range_out, pad[3], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *range_out)
 {
     double pad[2][GS_LANES];
@@ -2345,6 +4645,50 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, co
             return;
         }
         gs_v_store(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 div, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *range_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(v, rise), C), 2.0);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[j]), v_in, g_in);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], range_here);
+            memcpy(range_out, pad[1], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
         count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
     }
 }
@@ -2401,6 +4745,56 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, con
 
 /* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_horizontal_range_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *range_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            k_in = gs_padded_single(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_s_range_factor(b)), 2.0);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], range_here);
+            memcpy(range_out, pad[4], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
+ * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *range_out)
 {
     double pad[2][GS_LANES];
@@ -2443,6 +4837,54 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
             return;
         }
         gs_v_store(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
+ * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *range_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_s_range_factor(b)), 2.0);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], range_here);
+            memcpy(range_out, pad[1], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
         count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
     }
 }
@@ -2505,6 +4947,62 @@ void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const doubl
 
 /* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_position_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, float *x_out, float *y_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            v_in = gs_padded_single(pad[2], v_in, here);
+            g_in = gs_padded_single(pad[3], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v reach = gs_s_mul(t, v);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v x_here = gs_s_mul(reach, C);
+        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_free(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_narrow(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -2554,6 +5052,61 @@ void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const doub
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v reach = gs_s_mul(t, v);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v x_here = gs_s_mul(reach, C);
+        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_free(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -2621,6 +5174,67 @@ void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const doubl
 
 /* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *x_out, float *y_out)
+{
+    float pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            v_in = gs_padded_single(pad[2], v_in, here);
+            g_in = gs_padded_single(pad[3], g_in, here);
+            k_in = gs_padded_single(pad[4], k_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v z = gs_s_mul(t, k);
+        const gs_v reach = gs_s_mul(gs_s_mul(t, v), gs_s_phi1m(z));
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v x_here = gs_s_mul(reach, C);
+        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, gs_s_phi2m(z)), &good);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], x_here);
+            memcpy(x_out, pad[5], here * sizeof *x_out);
+            gs_v_narrow(pad[6], y_here);
+            memcpy(y_out, pad[6], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
+ * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -2674,6 +5288,65 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
+ * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float k_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v z = gs_s_mul(t, k);
+        const gs_v reach = gs_s_mul(gs_s_mul(t, v), gs_s_phi1m(z));
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v x_here = gs_s_mul(reach, C);
+        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, gs_s_phi2m(z)), &good);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, k_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -2734,6 +5407,60 @@ void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const doubl
 
 /* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_velocity_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, float *vx_out, float *vy_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            v_in = gs_padded_single(pad[2], v_in, here);
+            g_in = gs_padded_single(pad[3], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v vx_here = gs_s_mul(v, C);
+        gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_free(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], vx_here);
+            memcpy(vx_out, pad[4], here * sizeof *vx_out);
+            gs_v_narrow(pad[5], vy_here);
+            memcpy(vy_out, pad[5], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_narrow(vx_out, vx_here);
+        gs_v_narrow(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
 {
     double pad[4][GS_LANES];
@@ -2781,6 +5508,59 @@ void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const doub
         }
         gs_v_store(vx_out, vx_here);
         gs_v_store(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float *vx_out, float *vy_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v vx_here = gs_s_mul(v, C);
+        gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_free(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], vx_here);
+            memcpy(vx_out, pad[2], here * sizeof *vx_out);
+            gs_v_narrow(pad[3], vy_here);
+            memcpy(vy_out, pad[3], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_narrow(vx_out, vx_here);
+        gs_v_narrow(vy_out, vy_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
     }
 }
@@ -2847,6 +5627,66 @@ void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const doubl
 
 /* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_velocity_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *vx_out, float *vy_out)
+{
+    float pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            v_in = gs_padded_single(pad[2], v_in, here);
+            g_in = gs_padded_single(pad[3], g_in, here);
+            k_in = gs_padded_single(pad[4], k_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v z = gs_s_mul(t, k);
+        const gs_v fade = gs_s_phi0m(z);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
+        gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), gs_s_phi1m(z)), &good);
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j], vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], vx_here);
+            memcpy(vx_out, pad[5], here * sizeof *vx_out);
+            gs_v_narrow(pad[6], vy_here);
+            memcpy(vy_out, pad[6], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_narrow(vx_out, vx_here);
+        gs_v_narrow(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
+ * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *vx_out, double *vy_out)
 {
     double pad[4][GS_LANES];
@@ -2903,6 +5743,64 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
     }
 }
 
+/* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
+ * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float k_in, float *vx_out, float *vy_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v z = gs_s_mul(t, k);
+        const gs_v fade = gs_s_phi0m(z);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
+        gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), gs_s_phi1m(z)), &good);
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, k_in, vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], vx_here);
+            memcpy(vx_out, pad[2], here * sizeof *vx_out);
+            gs_v_narrow(pad[3], vy_here);
+            memcpy(vy_out, pad[3], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_narrow(vx_out, vx_here);
+        gs_v_narrow(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
 /* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *slope_out)
@@ -2949,6 +5847,50 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, co
 
 /* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_theta_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *slope_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(v, v), gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), g), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], slope_here);
+            memcpy(slope_out, pad[3], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
 {
     double pad[2][GS_LANES];
@@ -2987,6 +5929,50 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, c
             return;
         }
         gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *slope_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v once1 = gs_s_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(once1, gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), g), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[j]), v_in, g_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
         count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
     }
 }
@@ -3043,6 +6029,56 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, co
 
 /* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_range_slope_theta_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *slope_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            k_in = gs_padded_single(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(v, v), gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_range_balance(b)), gs_s_mul(S, S), &good)), gs_s_range_factor(b)), g), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], slope_here);
+            memcpy(slope_out, pad[4], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
+ * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
 {
     double pad[2][GS_LANES];
@@ -3086,6 +6122,55 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
             return;
         }
         gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
+ * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *slope_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    const gs_v once1 = gs_s_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(once1, gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_range_balance(b)), gs_s_mul(S, S), &good)), gs_s_range_factor(b)), g), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
         count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
     }
 }
@@ -3137,6 +6222,51 @@ void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const 
 
 /* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_k_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *slope_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, v), rise), C), S), g)), gs_s_constant(3.0)), 8.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], slope_here);
+            memcpy(slope_out, pad[3], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
+ * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
 {
     double pad[2][GS_LANES];
@@ -3176,6 +6306,51 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const
             return;
         }
         gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
+ * Operations: 3 div, 6 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *slope_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v once1 = gs_s_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(once1, rise), C), S), g)), gs_s_constant(3.0)), 8.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[j]), v_in, g_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
         count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
     }
 }
@@ -3232,6 +6407,56 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const 
 
 /* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_range_slope_k_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *slope_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            k_in = gs_padded_single(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v slope_here = gs_s_scaled(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, v), rise), C), S), gs_s_range_loss(b)), g)), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], slope_here);
+            memcpy(slope_out, pad[4], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
+ * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
 {
     double pad[2][GS_LANES];
@@ -3279,6 +6504,55 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
     }
 }
 
+/* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
+ * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *slope_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    const gs_v once1 = gs_s_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v slope_here = gs_s_scaled(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(once1, rise), C), S), gs_s_range_loss(b)), g)), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
 /* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
  * Operations: 1 div, 1 mul. */
 void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const double *v_in, const double *g_in, double *range_out)
@@ -3312,6 +6586,43 @@ void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const doub
             return;
         }
         gs_v_store(range_out, range_here);
+        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
+ * Operations: 1 div, 1 mul. */
+void GS_JOIN(gs_projectile_max_range_free_nf, GS_SUFFIX)(size_t count, const float *v_in, const float *g_in, float *range_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            v_in = gs_padded_single(pad[0], v_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+        }
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        gs_v range_here = gs_s_div(gs_s_mul(v, v), g);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_max_range_free(v_in[j], g_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], range_here);
+            memcpy(range_out, pad[2], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
         count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
     }
 }
@@ -3354,6 +6665,48 @@ void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const doub
             return;
         }
         gs_v_store(range_out, range_here);
+        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.max_range.drag, the stable form of projectile.thm3, projectile.range.u.
+ * Operations: 2 div, 3 mul, 1 table. */
+void GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(size_t count, const float *v_in, const float *g_in, const float *k_in, float *range_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            v_in = gs_padded_single(pad[0], v_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+            k_in = gs_padded_single(pad[2], k_in, here);
+        }
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
+        gs_v range_here = gs_s_div(gs_s_mul(gs_s_mul(v, v), gs_s_max_range_factor(alpha)), g);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_max_range_drag(v_in[j], g_in[j], k_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], range_here);
+            memcpy(range_out, pad[3], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
         count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
     }
 }

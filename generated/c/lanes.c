@@ -15,206 +15,407 @@ static int gs_has_wide_vectors(void)
 }
 static int gs_has_vectors(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 void gs_chord_descent_time_free_n_avx512(size_t n, const double *theta, const double *diameter, const double *g, double *time);
+void gs_chord_descent_time_free_nf_avx512(size_t n, const float *theta, const float *diameter, const float *g, float *time);
 void gs_chord_descent_time_free_nu_avx512(size_t n, const double *theta, double diameter, double g, double *time);
+void gs_chord_descent_time_free_nuf_avx512(size_t n, const float *theta, float diameter, float g, float *time);
 void gs_chord_descent_time_friction_n_avx512(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time);
+void gs_chord_descent_time_friction_nf_avx512(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time);
 void gs_chord_descent_time_friction_nu_avx512(size_t n, const double *theta, double diameter, double g, double mu, double *time);
+void gs_chord_descent_time_friction_nuf_avx512(size_t n, const float *theta, float diameter, float g, float mu, float *time);
 void gs_chord_descent_time_drag_n_avx512(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time);
+void gs_chord_descent_time_drag_nf_avx512(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time);
 void gs_chord_descent_time_drag_nu_avx512(size_t n, const double *theta, double diameter, double g, double gamma, double *time);
+void gs_chord_descent_time_drag_nuf_avx512(size_t n, const float *theta, float diameter, float g, float gamma, float *time);
 void gs_chord_descent_time_friction_drag_n_avx512(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
+void gs_chord_descent_time_friction_drag_nf_avx512(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
 void gs_chord_descent_time_friction_drag_nu_avx512(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
+void gs_chord_descent_time_friction_drag_nuf_avx512(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time);
 void gs_chord_distance_free_n_avx512(size_t n, const double *t, const double *theta, const double *g, double *distance);
+void gs_chord_distance_free_nf_avx512(size_t n, const float *t, const float *theta, const float *g, float *distance);
 void gs_chord_distance_free_nu_avx512(size_t n, const double *t, const double *theta, double g, double *distance);
+void gs_chord_distance_free_nuf_avx512(size_t n, const float *t, const float *theta, float g, float *distance);
 void gs_chord_distance_friction_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance);
+void gs_chord_distance_friction_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance);
 void gs_chord_distance_friction_nu_avx512(size_t n, const double *t, const double *theta, double g, double mu, double *distance);
+void gs_chord_distance_friction_nuf_avx512(size_t n, const float *t, const float *theta, float g, float mu, float *distance);
 void gs_chord_distance_drag_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance);
+void gs_chord_distance_drag_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance);
 void gs_chord_distance_drag_nu_avx512(size_t n, const double *t, const double *theta, double g, double gamma, double *distance);
+void gs_chord_distance_drag_nuf_avx512(size_t n, const float *t, const float *theta, float g, float gamma, float *distance);
 void gs_chord_distance_friction_drag_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
+void gs_chord_distance_friction_drag_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
 void gs_chord_distance_friction_drag_nu_avx512(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
+void gs_chord_distance_friction_drag_nuf_avx512(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance);
 void gs_chord_speed_free_n_avx512(size_t n, const double *t, const double *theta, const double *g, double *speed);
+void gs_chord_speed_free_nf_avx512(size_t n, const float *t, const float *theta, const float *g, float *speed);
 void gs_chord_speed_free_nu_avx512(size_t n, const double *t, const double *theta, double g, double *speed);
+void gs_chord_speed_free_nuf_avx512(size_t n, const float *t, const float *theta, float g, float *speed);
 void gs_chord_speed_friction_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed);
+void gs_chord_speed_friction_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed);
 void gs_chord_speed_friction_nu_avx512(size_t n, const double *t, const double *theta, double g, double mu, double *speed);
+void gs_chord_speed_friction_nuf_avx512(size_t n, const float *t, const float *theta, float g, float mu, float *speed);
 void gs_chord_speed_drag_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed);
+void gs_chord_speed_drag_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed);
 void gs_chord_speed_drag_nu_avx512(size_t n, const double *t, const double *theta, double g, double gamma, double *speed);
+void gs_chord_speed_drag_nuf_avx512(size_t n, const float *t, const float *theta, float g, float gamma, float *speed);
 void gs_chord_speed_friction_drag_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
+void gs_chord_speed_friction_drag_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
 void gs_chord_speed_friction_drag_nu_avx512(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
+void gs_chord_speed_friction_drag_nuf_avx512(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed);
 void gs_chord_position_free_n_avx512(size_t n, const double *t, const double *theta, const double *g, double *x, double *y);
+void gs_chord_position_free_nf_avx512(size_t n, const float *t, const float *theta, const float *g, float *x, float *y);
 void gs_chord_position_free_nu_avx512(size_t n, const double *t, const double *theta, double g, double *x, double *y);
+void gs_chord_position_free_nuf_avx512(size_t n, const float *t, const float *theta, float g, float *x, float *y);
 void gs_chord_position_friction_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y);
+void gs_chord_position_friction_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y);
 void gs_chord_position_friction_nu_avx512(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y);
+void gs_chord_position_friction_nuf_avx512(size_t n, const float *t, const float *theta, float g, float mu, float *x, float *y);
 void gs_chord_position_drag_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y);
+void gs_chord_position_drag_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y);
 void gs_chord_position_drag_nu_avx512(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y);
+void gs_chord_position_drag_nuf_avx512(size_t n, const float *t, const float *theta, float g, float gamma, float *x, float *y);
 void gs_chord_position_friction_drag_n_avx512(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nf_avx512(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
 void gs_chord_position_friction_drag_nu_avx512(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nuf_avx512(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_synchronous_circle_free_n_avx512(size_t n, const double *t, const double *g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nf_avx512(size_t n, const float *t, const float *g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_free_nu_avx512(size_t n, const double *t, double g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nuf_avx512(size_t n, const float *t, float g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_n_avx512(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nf_avx512(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_nu_avx512(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nuf_avx512(size_t n, const float *t, float g, float mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_n_avx512(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nf_avx512(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_nu_avx512(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nuf_avx512(size_t n, const float *t, float g, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_n_avx512(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nf_avx512(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_nu_avx512(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nuf_avx512(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_max_angle_n_avx512(size_t n, const double *mu, double *angle);
+void gs_chord_max_angle_nf_avx512(size_t n, const float *mu, float *angle);
 void gs_projectile_flight_time_free_n_avx512(size_t n, const double *theta, const double *v, const double *g, double *time);
+void gs_projectile_flight_time_free_nf_avx512(size_t n, const float *theta, const float *v, const float *g, float *time);
 void gs_projectile_flight_time_free_nu_avx512(size_t n, const double *theta, double v, double g, double *time);
+void gs_projectile_flight_time_free_nuf_avx512(size_t n, const float *theta, float v, float g, float *time);
 void gs_projectile_flight_time_drag_n_avx512(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
+void gs_projectile_flight_time_drag_nf_avx512(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
 void gs_projectile_flight_time_drag_nu_avx512(size_t n, const double *theta, double v, double g, double k, double *time);
+void gs_projectile_flight_time_drag_nuf_avx512(size_t n, const float *theta, float v, float g, float k, float *time);
 void gs_projectile_horizontal_range_free_n_avx512(size_t n, const double *theta, const double *v, const double *g, double *range);
+void gs_projectile_horizontal_range_free_nf_avx512(size_t n, const float *theta, const float *v, const float *g, float *range);
 void gs_projectile_horizontal_range_free_nu_avx512(size_t n, const double *theta, double v, double g, double *range);
+void gs_projectile_horizontal_range_free_nuf_avx512(size_t n, const float *theta, float v, float g, float *range);
 void gs_projectile_horizontal_range_drag_n_avx512(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_horizontal_range_drag_nf_avx512(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
 void gs_projectile_horizontal_range_drag_nu_avx512(size_t n, const double *theta, double v, double g, double k, double *range);
+void gs_projectile_horizontal_range_drag_nuf_avx512(size_t n, const float *theta, float v, float g, float k, float *range);
 void gs_projectile_position_free_n_avx512(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y);
+void gs_projectile_position_free_nf_avx512(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y);
 void gs_projectile_position_free_nu_avx512(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y);
+void gs_projectile_position_free_nuf_avx512(size_t n, const float *t, const float *theta, float v, float g, float *x, float *y);
 void gs_projectile_position_drag_n_avx512(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
+void gs_projectile_position_drag_nf_avx512(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
 void gs_projectile_position_drag_nu_avx512(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
+void gs_projectile_position_drag_nuf_avx512(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_velocity_free_n_avx512(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy);
+void gs_projectile_velocity_free_nf_avx512(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy);
 void gs_projectile_velocity_free_nu_avx512(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy);
+void gs_projectile_velocity_free_nuf_avx512(size_t n, const float *t, const float *theta, float v, float g, float *vx, float *vy);
 void gs_projectile_velocity_drag_n_avx512(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nf_avx512(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
 void gs_projectile_velocity_drag_nu_avx512(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nuf_avx512(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_range_slope_theta_free_n_avx512(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_theta_free_nf_avx512(size_t n, const float *theta, const float *v, const float *g, float *slope);
 void gs_projectile_range_slope_theta_free_nu_avx512(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_theta_free_nuf_avx512(size_t n, const float *theta, float v, float g, float *slope);
 void gs_projectile_range_slope_theta_drag_n_avx512(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_theta_drag_nf_avx512(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
 void gs_projectile_range_slope_theta_drag_nu_avx512(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_theta_drag_nuf_avx512(size_t n, const float *theta, float v, float g, float k, float *slope);
 void gs_projectile_range_slope_k_free_n_avx512(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_k_free_nf_avx512(size_t n, const float *theta, const float *v, const float *g, float *slope);
 void gs_projectile_range_slope_k_free_nu_avx512(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_k_free_nuf_avx512(size_t n, const float *theta, float v, float g, float *slope);
 void gs_projectile_range_slope_k_drag_n_avx512(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_k_drag_nf_avx512(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
 void gs_projectile_range_slope_k_drag_nu_avx512(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_k_drag_nuf_avx512(size_t n, const float *theta, float v, float g, float k, float *slope);
 void gs_projectile_max_range_free_n_avx512(size_t n, const double *v, const double *g, double *range);
+void gs_projectile_max_range_free_nf_avx512(size_t n, const float *v, const float *g, float *range);
 void gs_projectile_max_range_drag_n_avx512(size_t n, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_max_range_drag_nf_avx512(size_t n, const float *v, const float *g, const float *k, float *range);
 void gs_chord_descent_time_free_n_avx2(size_t n, const double *theta, const double *diameter, const double *g, double *time);
+void gs_chord_descent_time_free_nf_avx2(size_t n, const float *theta, const float *diameter, const float *g, float *time);
 void gs_chord_descent_time_free_nu_avx2(size_t n, const double *theta, double diameter, double g, double *time);
+void gs_chord_descent_time_free_nuf_avx2(size_t n, const float *theta, float diameter, float g, float *time);
 void gs_chord_descent_time_friction_n_avx2(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time);
+void gs_chord_descent_time_friction_nf_avx2(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time);
 void gs_chord_descent_time_friction_nu_avx2(size_t n, const double *theta, double diameter, double g, double mu, double *time);
+void gs_chord_descent_time_friction_nuf_avx2(size_t n, const float *theta, float diameter, float g, float mu, float *time);
 void gs_chord_descent_time_drag_n_avx2(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time);
+void gs_chord_descent_time_drag_nf_avx2(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time);
 void gs_chord_descent_time_drag_nu_avx2(size_t n, const double *theta, double diameter, double g, double gamma, double *time);
+void gs_chord_descent_time_drag_nuf_avx2(size_t n, const float *theta, float diameter, float g, float gamma, float *time);
 void gs_chord_descent_time_friction_drag_n_avx2(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
+void gs_chord_descent_time_friction_drag_nf_avx2(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
 void gs_chord_descent_time_friction_drag_nu_avx2(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
+void gs_chord_descent_time_friction_drag_nuf_avx2(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time);
 void gs_chord_distance_free_n_avx2(size_t n, const double *t, const double *theta, const double *g, double *distance);
+void gs_chord_distance_free_nf_avx2(size_t n, const float *t, const float *theta, const float *g, float *distance);
 void gs_chord_distance_free_nu_avx2(size_t n, const double *t, const double *theta, double g, double *distance);
+void gs_chord_distance_free_nuf_avx2(size_t n, const float *t, const float *theta, float g, float *distance);
 void gs_chord_distance_friction_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance);
+void gs_chord_distance_friction_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance);
 void gs_chord_distance_friction_nu_avx2(size_t n, const double *t, const double *theta, double g, double mu, double *distance);
+void gs_chord_distance_friction_nuf_avx2(size_t n, const float *t, const float *theta, float g, float mu, float *distance);
 void gs_chord_distance_drag_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance);
+void gs_chord_distance_drag_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance);
 void gs_chord_distance_drag_nu_avx2(size_t n, const double *t, const double *theta, double g, double gamma, double *distance);
+void gs_chord_distance_drag_nuf_avx2(size_t n, const float *t, const float *theta, float g, float gamma, float *distance);
 void gs_chord_distance_friction_drag_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
+void gs_chord_distance_friction_drag_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
 void gs_chord_distance_friction_drag_nu_avx2(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
+void gs_chord_distance_friction_drag_nuf_avx2(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance);
 void gs_chord_speed_free_n_avx2(size_t n, const double *t, const double *theta, const double *g, double *speed);
+void gs_chord_speed_free_nf_avx2(size_t n, const float *t, const float *theta, const float *g, float *speed);
 void gs_chord_speed_free_nu_avx2(size_t n, const double *t, const double *theta, double g, double *speed);
+void gs_chord_speed_free_nuf_avx2(size_t n, const float *t, const float *theta, float g, float *speed);
 void gs_chord_speed_friction_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed);
+void gs_chord_speed_friction_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed);
 void gs_chord_speed_friction_nu_avx2(size_t n, const double *t, const double *theta, double g, double mu, double *speed);
+void gs_chord_speed_friction_nuf_avx2(size_t n, const float *t, const float *theta, float g, float mu, float *speed);
 void gs_chord_speed_drag_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed);
+void gs_chord_speed_drag_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed);
 void gs_chord_speed_drag_nu_avx2(size_t n, const double *t, const double *theta, double g, double gamma, double *speed);
+void gs_chord_speed_drag_nuf_avx2(size_t n, const float *t, const float *theta, float g, float gamma, float *speed);
 void gs_chord_speed_friction_drag_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
+void gs_chord_speed_friction_drag_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
 void gs_chord_speed_friction_drag_nu_avx2(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
+void gs_chord_speed_friction_drag_nuf_avx2(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed);
 void gs_chord_position_free_n_avx2(size_t n, const double *t, const double *theta, const double *g, double *x, double *y);
+void gs_chord_position_free_nf_avx2(size_t n, const float *t, const float *theta, const float *g, float *x, float *y);
 void gs_chord_position_free_nu_avx2(size_t n, const double *t, const double *theta, double g, double *x, double *y);
+void gs_chord_position_free_nuf_avx2(size_t n, const float *t, const float *theta, float g, float *x, float *y);
 void gs_chord_position_friction_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y);
+void gs_chord_position_friction_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y);
 void gs_chord_position_friction_nu_avx2(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y);
+void gs_chord_position_friction_nuf_avx2(size_t n, const float *t, const float *theta, float g, float mu, float *x, float *y);
 void gs_chord_position_drag_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y);
+void gs_chord_position_drag_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y);
 void gs_chord_position_drag_nu_avx2(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y);
+void gs_chord_position_drag_nuf_avx2(size_t n, const float *t, const float *theta, float g, float gamma, float *x, float *y);
 void gs_chord_position_friction_drag_n_avx2(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nf_avx2(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
 void gs_chord_position_friction_drag_nu_avx2(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nuf_avx2(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_synchronous_circle_free_n_avx2(size_t n, const double *t, const double *g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nf_avx2(size_t n, const float *t, const float *g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_free_nu_avx2(size_t n, const double *t, double g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nuf_avx2(size_t n, const float *t, float g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_n_avx2(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nf_avx2(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_nu_avx2(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nuf_avx2(size_t n, const float *t, float g, float mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_n_avx2(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nf_avx2(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_nu_avx2(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nuf_avx2(size_t n, const float *t, float g, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_n_avx2(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nf_avx2(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_nu_avx2(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nuf_avx2(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_max_angle_n_avx2(size_t n, const double *mu, double *angle);
+void gs_chord_max_angle_nf_avx2(size_t n, const float *mu, float *angle);
 void gs_projectile_flight_time_free_n_avx2(size_t n, const double *theta, const double *v, const double *g, double *time);
+void gs_projectile_flight_time_free_nf_avx2(size_t n, const float *theta, const float *v, const float *g, float *time);
 void gs_projectile_flight_time_free_nu_avx2(size_t n, const double *theta, double v, double g, double *time);
+void gs_projectile_flight_time_free_nuf_avx2(size_t n, const float *theta, float v, float g, float *time);
 void gs_projectile_flight_time_drag_n_avx2(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
+void gs_projectile_flight_time_drag_nf_avx2(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
 void gs_projectile_flight_time_drag_nu_avx2(size_t n, const double *theta, double v, double g, double k, double *time);
+void gs_projectile_flight_time_drag_nuf_avx2(size_t n, const float *theta, float v, float g, float k, float *time);
 void gs_projectile_horizontal_range_free_n_avx2(size_t n, const double *theta, const double *v, const double *g, double *range);
+void gs_projectile_horizontal_range_free_nf_avx2(size_t n, const float *theta, const float *v, const float *g, float *range);
 void gs_projectile_horizontal_range_free_nu_avx2(size_t n, const double *theta, double v, double g, double *range);
+void gs_projectile_horizontal_range_free_nuf_avx2(size_t n, const float *theta, float v, float g, float *range);
 void gs_projectile_horizontal_range_drag_n_avx2(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_horizontal_range_drag_nf_avx2(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
 void gs_projectile_horizontal_range_drag_nu_avx2(size_t n, const double *theta, double v, double g, double k, double *range);
+void gs_projectile_horizontal_range_drag_nuf_avx2(size_t n, const float *theta, float v, float g, float k, float *range);
 void gs_projectile_position_free_n_avx2(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y);
+void gs_projectile_position_free_nf_avx2(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y);
 void gs_projectile_position_free_nu_avx2(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y);
+void gs_projectile_position_free_nuf_avx2(size_t n, const float *t, const float *theta, float v, float g, float *x, float *y);
 void gs_projectile_position_drag_n_avx2(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
+void gs_projectile_position_drag_nf_avx2(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
 void gs_projectile_position_drag_nu_avx2(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
+void gs_projectile_position_drag_nuf_avx2(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_velocity_free_n_avx2(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy);
+void gs_projectile_velocity_free_nf_avx2(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy);
 void gs_projectile_velocity_free_nu_avx2(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy);
+void gs_projectile_velocity_free_nuf_avx2(size_t n, const float *t, const float *theta, float v, float g, float *vx, float *vy);
 void gs_projectile_velocity_drag_n_avx2(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nf_avx2(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
 void gs_projectile_velocity_drag_nu_avx2(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nuf_avx2(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_range_slope_theta_free_n_avx2(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_theta_free_nf_avx2(size_t n, const float *theta, const float *v, const float *g, float *slope);
 void gs_projectile_range_slope_theta_free_nu_avx2(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_theta_free_nuf_avx2(size_t n, const float *theta, float v, float g, float *slope);
 void gs_projectile_range_slope_theta_drag_n_avx2(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_theta_drag_nf_avx2(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
 void gs_projectile_range_slope_theta_drag_nu_avx2(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_theta_drag_nuf_avx2(size_t n, const float *theta, float v, float g, float k, float *slope);
 void gs_projectile_range_slope_k_free_n_avx2(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_k_free_nf_avx2(size_t n, const float *theta, const float *v, const float *g, float *slope);
 void gs_projectile_range_slope_k_free_nu_avx2(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_k_free_nuf_avx2(size_t n, const float *theta, float v, float g, float *slope);
 void gs_projectile_range_slope_k_drag_n_avx2(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_k_drag_nf_avx2(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
 void gs_projectile_range_slope_k_drag_nu_avx2(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_k_drag_nuf_avx2(size_t n, const float *theta, float v, float g, float k, float *slope);
 void gs_projectile_max_range_free_n_avx2(size_t n, const double *v, const double *g, double *range);
+void gs_projectile_max_range_free_nf_avx2(size_t n, const float *v, const float *g, float *range);
 void gs_projectile_max_range_drag_n_avx2(size_t n, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_max_range_drag_nf_avx2(size_t n, const float *v, const float *g, const float *k, float *range);
 void gs_chord_descent_time_free_n_fma(size_t n, const double *theta, const double *diameter, const double *g, double *time);
+void gs_chord_descent_time_free_nf_fma(size_t n, const float *theta, const float *diameter, const float *g, float *time);
 void gs_chord_descent_time_free_nu_fma(size_t n, const double *theta, double diameter, double g, double *time);
+void gs_chord_descent_time_free_nuf_fma(size_t n, const float *theta, float diameter, float g, float *time);
 void gs_chord_descent_time_friction_n_fma(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time);
+void gs_chord_descent_time_friction_nf_fma(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time);
 void gs_chord_descent_time_friction_nu_fma(size_t n, const double *theta, double diameter, double g, double mu, double *time);
+void gs_chord_descent_time_friction_nuf_fma(size_t n, const float *theta, float diameter, float g, float mu, float *time);
 void gs_chord_descent_time_drag_n_fma(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time);
+void gs_chord_descent_time_drag_nf_fma(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time);
 void gs_chord_descent_time_drag_nu_fma(size_t n, const double *theta, double diameter, double g, double gamma, double *time);
+void gs_chord_descent_time_drag_nuf_fma(size_t n, const float *theta, float diameter, float g, float gamma, float *time);
 void gs_chord_descent_time_friction_drag_n_fma(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
+void gs_chord_descent_time_friction_drag_nf_fma(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
 void gs_chord_descent_time_friction_drag_nu_fma(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
+void gs_chord_descent_time_friction_drag_nuf_fma(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time);
 void gs_chord_distance_free_n_fma(size_t n, const double *t, const double *theta, const double *g, double *distance);
+void gs_chord_distance_free_nf_fma(size_t n, const float *t, const float *theta, const float *g, float *distance);
 void gs_chord_distance_free_nu_fma(size_t n, const double *t, const double *theta, double g, double *distance);
+void gs_chord_distance_free_nuf_fma(size_t n, const float *t, const float *theta, float g, float *distance);
 void gs_chord_distance_friction_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance);
+void gs_chord_distance_friction_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance);
 void gs_chord_distance_friction_nu_fma(size_t n, const double *t, const double *theta, double g, double mu, double *distance);
+void gs_chord_distance_friction_nuf_fma(size_t n, const float *t, const float *theta, float g, float mu, float *distance);
 void gs_chord_distance_drag_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance);
+void gs_chord_distance_drag_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance);
 void gs_chord_distance_drag_nu_fma(size_t n, const double *t, const double *theta, double g, double gamma, double *distance);
+void gs_chord_distance_drag_nuf_fma(size_t n, const float *t, const float *theta, float g, float gamma, float *distance);
 void gs_chord_distance_friction_drag_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
+void gs_chord_distance_friction_drag_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
 void gs_chord_distance_friction_drag_nu_fma(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
+void gs_chord_distance_friction_drag_nuf_fma(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance);
 void gs_chord_speed_free_n_fma(size_t n, const double *t, const double *theta, const double *g, double *speed);
+void gs_chord_speed_free_nf_fma(size_t n, const float *t, const float *theta, const float *g, float *speed);
 void gs_chord_speed_free_nu_fma(size_t n, const double *t, const double *theta, double g, double *speed);
+void gs_chord_speed_free_nuf_fma(size_t n, const float *t, const float *theta, float g, float *speed);
 void gs_chord_speed_friction_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed);
+void gs_chord_speed_friction_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed);
 void gs_chord_speed_friction_nu_fma(size_t n, const double *t, const double *theta, double g, double mu, double *speed);
+void gs_chord_speed_friction_nuf_fma(size_t n, const float *t, const float *theta, float g, float mu, float *speed);
 void gs_chord_speed_drag_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed);
+void gs_chord_speed_drag_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed);
 void gs_chord_speed_drag_nu_fma(size_t n, const double *t, const double *theta, double g, double gamma, double *speed);
+void gs_chord_speed_drag_nuf_fma(size_t n, const float *t, const float *theta, float g, float gamma, float *speed);
 void gs_chord_speed_friction_drag_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
+void gs_chord_speed_friction_drag_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
 void gs_chord_speed_friction_drag_nu_fma(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
+void gs_chord_speed_friction_drag_nuf_fma(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed);
 void gs_chord_position_free_n_fma(size_t n, const double *t, const double *theta, const double *g, double *x, double *y);
+void gs_chord_position_free_nf_fma(size_t n, const float *t, const float *theta, const float *g, float *x, float *y);
 void gs_chord_position_free_nu_fma(size_t n, const double *t, const double *theta, double g, double *x, double *y);
+void gs_chord_position_free_nuf_fma(size_t n, const float *t, const float *theta, float g, float *x, float *y);
 void gs_chord_position_friction_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y);
+void gs_chord_position_friction_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y);
 void gs_chord_position_friction_nu_fma(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y);
+void gs_chord_position_friction_nuf_fma(size_t n, const float *t, const float *theta, float g, float mu, float *x, float *y);
 void gs_chord_position_drag_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y);
+void gs_chord_position_drag_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y);
 void gs_chord_position_drag_nu_fma(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y);
+void gs_chord_position_drag_nuf_fma(size_t n, const float *t, const float *theta, float g, float gamma, float *x, float *y);
 void gs_chord_position_friction_drag_n_fma(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nf_fma(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
 void gs_chord_position_friction_drag_nu_fma(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nuf_fma(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_synchronous_circle_free_n_fma(size_t n, const double *t, const double *g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nf_fma(size_t n, const float *t, const float *g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_free_nu_fma(size_t n, const double *t, double g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nuf_fma(size_t n, const float *t, float g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_n_fma(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nf_fma(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_nu_fma(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nuf_fma(size_t n, const float *t, float g, float mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_n_fma(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nf_fma(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_nu_fma(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nuf_fma(size_t n, const float *t, float g, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_n_fma(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nf_fma(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_nu_fma(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nuf_fma(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_max_angle_n_fma(size_t n, const double *mu, double *angle);
+void gs_chord_max_angle_nf_fma(size_t n, const float *mu, float *angle);
 void gs_projectile_flight_time_free_n_fma(size_t n, const double *theta, const double *v, const double *g, double *time);
+void gs_projectile_flight_time_free_nf_fma(size_t n, const float *theta, const float *v, const float *g, float *time);
 void gs_projectile_flight_time_free_nu_fma(size_t n, const double *theta, double v, double g, double *time);
+void gs_projectile_flight_time_free_nuf_fma(size_t n, const float *theta, float v, float g, float *time);
 void gs_projectile_flight_time_drag_n_fma(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
+void gs_projectile_flight_time_drag_nf_fma(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
 void gs_projectile_flight_time_drag_nu_fma(size_t n, const double *theta, double v, double g, double k, double *time);
+void gs_projectile_flight_time_drag_nuf_fma(size_t n, const float *theta, float v, float g, float k, float *time);
 void gs_projectile_horizontal_range_free_n_fma(size_t n, const double *theta, const double *v, const double *g, double *range);
+void gs_projectile_horizontal_range_free_nf_fma(size_t n, const float *theta, const float *v, const float *g, float *range);
 void gs_projectile_horizontal_range_free_nu_fma(size_t n, const double *theta, double v, double g, double *range);
+void gs_projectile_horizontal_range_free_nuf_fma(size_t n, const float *theta, float v, float g, float *range);
 void gs_projectile_horizontal_range_drag_n_fma(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_horizontal_range_drag_nf_fma(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
 void gs_projectile_horizontal_range_drag_nu_fma(size_t n, const double *theta, double v, double g, double k, double *range);
+void gs_projectile_horizontal_range_drag_nuf_fma(size_t n, const float *theta, float v, float g, float k, float *range);
 void gs_projectile_position_free_n_fma(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y);
+void gs_projectile_position_free_nf_fma(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y);
 void gs_projectile_position_free_nu_fma(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y);
+void gs_projectile_position_free_nuf_fma(size_t n, const float *t, const float *theta, float v, float g, float *x, float *y);
 void gs_projectile_position_drag_n_fma(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
+void gs_projectile_position_drag_nf_fma(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
 void gs_projectile_position_drag_nu_fma(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
+void gs_projectile_position_drag_nuf_fma(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_velocity_free_n_fma(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy);
+void gs_projectile_velocity_free_nf_fma(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy);
 void gs_projectile_velocity_free_nu_fma(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy);
+void gs_projectile_velocity_free_nuf_fma(size_t n, const float *t, const float *theta, float v, float g, float *vx, float *vy);
 void gs_projectile_velocity_drag_n_fma(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nf_fma(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
 void gs_projectile_velocity_drag_nu_fma(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nuf_fma(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_range_slope_theta_free_n_fma(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_theta_free_nf_fma(size_t n, const float *theta, const float *v, const float *g, float *slope);
 void gs_projectile_range_slope_theta_free_nu_fma(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_theta_free_nuf_fma(size_t n, const float *theta, float v, float g, float *slope);
 void gs_projectile_range_slope_theta_drag_n_fma(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_theta_drag_nf_fma(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
 void gs_projectile_range_slope_theta_drag_nu_fma(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_theta_drag_nuf_fma(size_t n, const float *theta, float v, float g, float k, float *slope);
 void gs_projectile_range_slope_k_free_n_fma(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_k_free_nf_fma(size_t n, const float *theta, const float *v, const float *g, float *slope);
 void gs_projectile_range_slope_k_free_nu_fma(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_k_free_nuf_fma(size_t n, const float *theta, float v, float g, float *slope);
 void gs_projectile_range_slope_k_drag_n_fma(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_k_drag_nf_fma(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
 void gs_projectile_range_slope_k_drag_nu_fma(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_k_drag_nuf_fma(size_t n, const float *theta, float v, float g, float k, float *slope);
 void gs_projectile_max_range_free_n_fma(size_t n, const double *v, const double *g, double *range);
+void gs_projectile_max_range_free_nf_fma(size_t n, const float *v, const float *g, float *range);
 void gs_projectile_max_range_drag_n_fma(size_t n, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_max_range_drag_nf_fma(size_t n, const float *v, const float *g, const float *k, float *range);
 #define GS_CHOOSE(name)                                                                                                \
     (gs_has_wide_vectors() ? name##_avx512 : gs_has_vectors() ? name##_avx2 : name##_plain)
 #define GS_CHOOSE_SINGLE(name) (gs_has_vectors() ? name##_fma : name##_plain)
@@ -230,14 +431,31 @@ double gs_chord_descent_time_free(double theta, double diameter, double g)
     return time;
 }
 
+float gs_chord_descent_time_freef(float theta, float diameter, float g)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_free_nf)(1, &theta, &diameter, &g, &time);
+    return time;
+}
+
 void gs_chord_descent_time_free_n(size_t n, const double *theta, const double *diameter, const double *g, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_free_n)(n, theta, diameter, g, time);
 }
 
+void gs_chord_descent_time_free_nf(size_t n, const float *theta, const float *diameter, const float *g, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_free_nf)(n, theta, diameter, g, time);
+}
+
 void gs_chord_descent_time_free_nu(size_t n, const double *theta, double diameter, double g, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_free_nu)(n, theta, diameter, g, time);
+}
+
+void gs_chord_descent_time_free_nuf(size_t n, const float *theta, float diameter, float g, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_free_nuf)(n, theta, diameter, g, time);
 }
 
 double gs_chord_descent_time_friction(double theta, double diameter, double g, double mu)
@@ -247,14 +465,31 @@ double gs_chord_descent_time_friction(double theta, double diameter, double g, d
     return time;
 }
 
+float gs_chord_descent_time_frictionf(float theta, float diameter, float g, float mu)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_nf)(1, &theta, &diameter, &g, &mu, &time);
+    return time;
+}
+
 void gs_chord_descent_time_friction_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_n)(n, theta, diameter, g, mu, time);
 }
 
+void gs_chord_descent_time_friction_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_nf)(n, theta, diameter, g, mu, time);
+}
+
 void gs_chord_descent_time_friction_nu(size_t n, const double *theta, double diameter, double g, double mu, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_nu)(n, theta, diameter, g, mu, time);
+}
+
+void gs_chord_descent_time_friction_nuf(size_t n, const float *theta, float diameter, float g, float mu, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_nuf)(n, theta, diameter, g, mu, time);
 }
 
 double gs_chord_descent_time_drag(double theta, double diameter, double g, double gamma)
@@ -264,14 +499,31 @@ double gs_chord_descent_time_drag(double theta, double diameter, double g, doubl
     return time;
 }
 
+float gs_chord_descent_time_dragf(float theta, float diameter, float g, float gamma)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_drag_nf)(1, &theta, &diameter, &g, &gamma, &time);
+    return time;
+}
+
 void gs_chord_descent_time_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_drag_n)(n, theta, diameter, g, gamma, time);
 }
 
+void gs_chord_descent_time_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_drag_nf)(n, theta, diameter, g, gamma, time);
+}
+
 void gs_chord_descent_time_drag_nu(size_t n, const double *theta, double diameter, double g, double gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_drag_nu)(n, theta, diameter, g, gamma, time);
+}
+
+void gs_chord_descent_time_drag_nuf(size_t n, const float *theta, float diameter, float g, float gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_drag_nuf)(n, theta, diameter, g, gamma, time);
 }
 
 double gs_chord_descent_time_friction_drag(double theta, double diameter, double g, double mu, double gamma)
@@ -281,14 +533,31 @@ double gs_chord_descent_time_friction_drag(double theta, double diameter, double
     return time;
 }
 
+float gs_chord_descent_time_friction_dragf(float theta, float diameter, float g, float mu, float gamma)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_drag_nf)(1, &theta, &diameter, &g, &mu, &gamma, &time);
+    return time;
+}
+
 void gs_chord_descent_time_friction_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_drag_n)(n, theta, diameter, g, mu, gamma, time);
 }
 
+void gs_chord_descent_time_friction_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nf)(n, theta, diameter, g, mu, gamma, time);
+}
+
 void gs_chord_descent_time_friction_drag_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_drag_nu)(n, theta, diameter, g, mu, gamma, time);
+}
+
+void gs_chord_descent_time_friction_drag_nuf(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nuf)(n, theta, diameter, g, mu, gamma, time);
 }
 
 double gs_chord_descent_time(double theta, double diameter, double g, double mu, double gamma)
@@ -298,14 +567,31 @@ double gs_chord_descent_time(double theta, double diameter, double g, double mu,
     return time;
 }
 
+float gs_chord_descent_timef(float theta, float diameter, float g, float mu, float gamma)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_drag_nf)(1, &theta, &diameter, &g, &mu, &gamma, &time);
+    return time;
+}
+
 void gs_chord_descent_time_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_drag_n)(n, theta, diameter, g, mu, gamma, time);
 }
 
+void gs_chord_descent_time_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nf)(n, theta, diameter, g, mu, gamma, time);
+}
+
 void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_drag_nu)(n, theta, diameter, g, mu, gamma, time);
+}
+
+void gs_chord_descent_time_nuf(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nuf)(n, theta, diameter, g, mu, gamma, time);
 }
 
 double gs_chord_distance_free(double t, double theta, double g)
@@ -315,14 +601,31 @@ double gs_chord_distance_free(double t, double theta, double g)
     return distance;
 }
 
+float gs_chord_distance_freef(float t, float theta, float g)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_free_nf)(1, &t, &theta, &g, &distance);
+    return distance;
+}
+
 void gs_chord_distance_free_n(size_t n, const double *t, const double *theta, const double *g, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_free_n)(n, t, theta, g, distance);
 }
 
+void gs_chord_distance_free_nf(size_t n, const float *t, const float *theta, const float *g, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_free_nf)(n, t, theta, g, distance);
+}
+
 void gs_chord_distance_free_nu(size_t n, const double *t, const double *theta, double g, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_free_nu)(n, t, theta, g, distance);
+}
+
+void gs_chord_distance_free_nuf(size_t n, const float *t, const float *theta, float g, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_free_nuf)(n, t, theta, g, distance);
 }
 
 double gs_chord_distance_friction(double t, double theta, double g, double mu)
@@ -332,14 +635,31 @@ double gs_chord_distance_friction(double t, double theta, double g, double mu)
     return distance;
 }
 
+float gs_chord_distance_frictionf(float t, float theta, float g, float mu)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_nf)(1, &t, &theta, &g, &mu, &distance);
+    return distance;
+}
+
 void gs_chord_distance_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_n)(n, t, theta, g, mu, distance);
 }
 
+void gs_chord_distance_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_nf)(n, t, theta, g, mu, distance);
+}
+
 void gs_chord_distance_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_nu)(n, t, theta, g, mu, distance);
+}
+
+void gs_chord_distance_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_nuf)(n, t, theta, g, mu, distance);
 }
 
 double gs_chord_distance_drag(double t, double theta, double g, double gamma)
@@ -349,14 +669,31 @@ double gs_chord_distance_drag(double t, double theta, double g, double gamma)
     return distance;
 }
 
+float gs_chord_distance_dragf(float t, float theta, float g, float gamma)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_drag_nf)(1, &t, &theta, &g, &gamma, &distance);
+    return distance;
+}
+
 void gs_chord_distance_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_drag_n)(n, t, theta, g, gamma, distance);
 }
 
+void gs_chord_distance_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_drag_nf)(n, t, theta, g, gamma, distance);
+}
+
 void gs_chord_distance_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_drag_nu)(n, t, theta, g, gamma, distance);
+}
+
+void gs_chord_distance_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_drag_nuf)(n, t, theta, g, gamma, distance);
 }
 
 double gs_chord_distance_friction_drag(double t, double theta, double g, double mu, double gamma)
@@ -366,14 +703,31 @@ double gs_chord_distance_friction_drag(double t, double theta, double g, double 
     return distance;
 }
 
+float gs_chord_distance_friction_dragf(float t, float theta, float g, float mu, float gamma)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, &distance);
+    return distance;
+}
+
 void gs_chord_distance_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_drag_n)(n, t, theta, g, mu, gamma, distance);
 }
 
+void gs_chord_distance_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nf)(n, t, theta, g, mu, gamma, distance);
+}
+
 void gs_chord_distance_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_drag_nu)(n, t, theta, g, mu, gamma, distance);
+}
+
+void gs_chord_distance_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nuf)(n, t, theta, g, mu, gamma, distance);
 }
 
 double gs_chord_distance(double t, double theta, double g, double mu, double gamma)
@@ -383,14 +737,31 @@ double gs_chord_distance(double t, double theta, double g, double mu, double gam
     return distance;
 }
 
+float gs_chord_distancef(float t, float theta, float g, float mu, float gamma)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, &distance);
+    return distance;
+}
+
 void gs_chord_distance_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_drag_n)(n, t, theta, g, mu, gamma, distance);
 }
 
+void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nf)(n, t, theta, g, mu, gamma, distance);
+}
+
 void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_drag_nu)(n, t, theta, g, mu, gamma, distance);
+}
+
+void gs_chord_distance_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nuf)(n, t, theta, g, mu, gamma, distance);
 }
 
 double gs_chord_speed_free(double t, double theta, double g)
@@ -400,14 +771,31 @@ double gs_chord_speed_free(double t, double theta, double g)
     return speed;
 }
 
+float gs_chord_speed_freef(float t, float theta, float g)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_free_nf)(1, &t, &theta, &g, &speed);
+    return speed;
+}
+
 void gs_chord_speed_free_n(size_t n, const double *t, const double *theta, const double *g, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_free_n)(n, t, theta, g, speed);
 }
 
+void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const float *g, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_free_nf)(n, t, theta, g, speed);
+}
+
 void gs_chord_speed_free_nu(size_t n, const double *t, const double *theta, double g, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_free_nu)(n, t, theta, g, speed);
+}
+
+void gs_chord_speed_free_nuf(size_t n, const float *t, const float *theta, float g, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_free_nuf)(n, t, theta, g, speed);
 }
 
 double gs_chord_speed_friction(double t, double theta, double g, double mu)
@@ -417,14 +805,31 @@ double gs_chord_speed_friction(double t, double theta, double g, double mu)
     return speed;
 }
 
+float gs_chord_speed_frictionf(float t, float theta, float g, float mu)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_nf)(1, &t, &theta, &g, &mu, &speed);
+    return speed;
+}
+
 void gs_chord_speed_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_n)(n, t, theta, g, mu, speed);
 }
 
+void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_nf)(n, t, theta, g, mu, speed);
+}
+
 void gs_chord_speed_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_nu)(n, t, theta, g, mu, speed);
+}
+
+void gs_chord_speed_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_nuf)(n, t, theta, g, mu, speed);
 }
 
 double gs_chord_speed_drag(double t, double theta, double g, double gamma)
@@ -434,14 +839,31 @@ double gs_chord_speed_drag(double t, double theta, double g, double gamma)
     return speed;
 }
 
+float gs_chord_speed_dragf(float t, float theta, float g, float gamma)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_drag_nf)(1, &t, &theta, &g, &gamma, &speed);
+    return speed;
+}
+
 void gs_chord_speed_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_drag_n)(n, t, theta, g, gamma, speed);
 }
 
+void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_drag_nf)(n, t, theta, g, gamma, speed);
+}
+
 void gs_chord_speed_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_drag_nu)(n, t, theta, g, gamma, speed);
+}
+
+void gs_chord_speed_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_drag_nuf)(n, t, theta, g, gamma, speed);
 }
 
 double gs_chord_speed_friction_drag(double t, double theta, double g, double mu, double gamma)
@@ -451,14 +873,31 @@ double gs_chord_speed_friction_drag(double t, double theta, double g, double mu,
     return speed;
 }
 
+float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, &speed);
+    return speed;
+}
+
 void gs_chord_speed_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_drag_n)(n, t, theta, g, mu, gamma, speed);
 }
 
+void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nf)(n, t, theta, g, mu, gamma, speed);
+}
+
 void gs_chord_speed_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_drag_nu)(n, t, theta, g, mu, gamma, speed);
+}
+
+void gs_chord_speed_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nuf)(n, t, theta, g, mu, gamma, speed);
 }
 
 double gs_chord_speed(double t, double theta, double g, double mu, double gamma)
@@ -468,9 +907,21 @@ double gs_chord_speed(double t, double theta, double g, double mu, double gamma)
     return speed;
 }
 
+float gs_chord_speedf(float t, float theta, float g, float mu, float gamma)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, &speed);
+    return speed;
+}
+
 void gs_chord_speed_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_drag_n)(n, t, theta, g, mu, gamma, speed);
+}
+
+void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nf)(n, t, theta, g, mu, gamma, speed);
 }
 
 void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed)
@@ -478,9 +929,19 @@ void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g,
     GS_CHOOSE(gs_chord_speed_friction_drag_nu)(n, t, theta, g, mu, gamma, speed);
 }
 
+void gs_chord_speed_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nuf)(n, t, theta, g, mu, gamma, speed);
+}
+
 void gs_chord_position_free(double t, double theta, double g, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_chord_position_free_n)(1, &t, &theta, &g, x, y);
+}
+
+void gs_chord_position_freef(float t, float theta, float g, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_free_nf)(1, &t, &theta, &g, x, y);
 }
 
 void gs_chord_position_free_n(size_t n, const double *t, const double *theta, const double *g, double *x, double *y)
@@ -488,9 +949,19 @@ void gs_chord_position_free_n(size_t n, const double *t, const double *theta, co
     GS_CHOOSE(gs_chord_position_free_n)(n, t, theta, g, x, y);
 }
 
+void gs_chord_position_free_nf(size_t n, const float *t, const float *theta, const float *g, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_free_nf)(n, t, theta, g, x, y);
+}
+
 void gs_chord_position_free_nu(size_t n, const double *t, const double *theta, double g, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_free_nu)(n, t, theta, g, x, y);
+}
+
+void gs_chord_position_free_nuf(size_t n, const float *t, const float *theta, float g, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_free_nuf)(n, t, theta, g, x, y);
 }
 
 void gs_chord_position_friction(double t, double theta, double g, double mu, double *x, double *y)
@@ -498,9 +969,19 @@ void gs_chord_position_friction(double t, double theta, double g, double mu, dou
     GS_CHOOSE_SINGLE(gs_chord_position_friction_n)(1, &t, &theta, &g, &mu, x, y);
 }
 
+void gs_chord_position_frictionf(float t, float theta, float g, float mu, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_nf)(1, &t, &theta, &g, &mu, x, y);
+}
+
 void gs_chord_position_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_friction_n)(n, t, theta, g, mu, x, y);
+}
+
+void gs_chord_position_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_nf)(n, t, theta, g, mu, x, y);
 }
 
 void gs_chord_position_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y)
@@ -508,9 +989,19 @@ void gs_chord_position_friction_nu(size_t n, const double *t, const double *thet
     GS_CHOOSE(gs_chord_position_friction_nu)(n, t, theta, g, mu, x, y);
 }
 
+void gs_chord_position_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_nuf)(n, t, theta, g, mu, x, y);
+}
+
 void gs_chord_position_drag(double t, double theta, double g, double gamma, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_chord_position_drag_n)(1, &t, &theta, &g, &gamma, x, y);
+}
+
+void gs_chord_position_dragf(float t, float theta, float g, float gamma, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_drag_nf)(1, &t, &theta, &g, &gamma, x, y);
 }
 
 void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y)
@@ -518,9 +1009,19 @@ void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, co
     GS_CHOOSE(gs_chord_position_drag_n)(n, t, theta, g, gamma, x, y);
 }
 
+void gs_chord_position_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_drag_nf)(n, t, theta, g, gamma, x, y);
+}
+
 void gs_chord_position_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_drag_nu)(n, t, theta, g, gamma, x, y);
+}
+
+void gs_chord_position_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_drag_nuf)(n, t, theta, g, gamma, x, y);
 }
 
 void gs_chord_position_friction_drag(double t, double theta, double g, double mu, double gamma, double *x, double *y)
@@ -528,9 +1029,19 @@ void gs_chord_position_friction_drag(double t, double theta, double g, double mu
     GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, x, y);
 }
 
+void gs_chord_position_friction_dragf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, x, y);
+}
+
 void gs_chord_position_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_friction_drag_n)(n, t, theta, g, mu, gamma, x, y);
+}
+
+void gs_chord_position_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nf)(n, t, theta, g, mu, gamma, x, y);
 }
 
 void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y)
@@ -538,9 +1049,19 @@ void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double 
     GS_CHOOSE(gs_chord_position_friction_drag_nu)(n, t, theta, g, mu, gamma, x, y);
 }
 
+void gs_chord_position_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nuf)(n, t, theta, g, mu, gamma, x, y);
+}
+
 void gs_chord_position(double t, double theta, double g, double mu, double gamma, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, x, y);
+}
+
+void gs_chord_positionf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, x, y);
 }
 
 void gs_chord_position_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y)
@@ -548,9 +1069,19 @@ void gs_chord_position_n(size_t n, const double *t, const double *theta, const d
     GS_CHOOSE(gs_chord_position_friction_drag_n)(n, t, theta, g, mu, gamma, x, y);
 }
 
+void gs_chord_position_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nf)(n, t, theta, g, mu, gamma, x, y);
+}
+
 void gs_chord_position_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_friction_drag_nu)(n, t, theta, g, mu, gamma, x, y);
+}
+
+void gs_chord_position_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nuf)(n, t, theta, g, mu, gamma, x, y);
 }
 
 void gs_chord_synchronous_circle_free(double t, double g, double *X, double *Y, double *R)
@@ -558,9 +1089,19 @@ void gs_chord_synchronous_circle_free(double t, double g, double *X, double *Y, 
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_free_n)(1, &t, &g, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_freef(float t, float g, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_free_nf)(1, &t, &g, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_free_n(size_t n, const double *t, const double *g, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_free_n)(n, t, g, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_free_nf(size_t n, const float *t, const float *g, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_free_nf)(n, t, g, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, double *X, double *Y, double *R)
@@ -568,9 +1109,19 @@ void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, do
     GS_CHOOSE(gs_chord_synchronous_circle_free_nu)(n, t, g, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_free_nuf(size_t n, const float *t, float g, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_free_nuf)(n, t, g, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_friction(double t, double g, double mu, double *X, double *Y, double *R)
 {
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_n)(1, &t, &g, &mu, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_frictionf(float t, float g, float mu, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_nf)(1, &t, &g, &mu, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R)
@@ -578,9 +1129,19 @@ void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const dou
     GS_CHOOSE(gs_chord_synchronous_circle_friction_n)(n, t, g, mu, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_friction_nf(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_nf)(n, t, g, mu, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_friction_nu(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_friction_nu)(n, t, g, mu, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_nuf(size_t n, const float *t, float g, float mu, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_nuf)(n, t, g, mu, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_drag(double t, double g, double gamma, double *X, double *Y, double *R)
@@ -588,9 +1149,19 @@ void gs_chord_synchronous_circle_drag(double t, double g, double gamma, double *
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_drag_n)(1, &t, &g, &gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_dragf(float t, float g, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_drag_nf)(1, &t, &g, &gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_drag_n(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_drag_n)(n, t, g, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_drag_nf(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_drag_nf)(n, t, g, gamma, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R)
@@ -598,9 +1169,19 @@ void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, do
     GS_CHOOSE(gs_chord_synchronous_circle_drag_nu)(n, t, g, gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_drag_nuf(size_t n, const float *t, float g, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_drag_nuf)(n, t, g, gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_friction_drag(double t, double g, double mu, double gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_n)(1, &t, &g, &mu, &gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_dragf(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_nf)(1, &t, &g, &mu, &gamma, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R)
@@ -608,9 +1189,19 @@ void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, cons
     GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_n)(n, t, g, mu, gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_friction_drag_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nf)(n, t, g, mu, gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_friction_drag_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nu)(n, t, g, mu, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_drag_nuf(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nuf)(n, t, g, mu, gamma, X, Y, R);
 }
 
 void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, double *X, double *Y, double *R)
@@ -618,14 +1209,29 @@ void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, do
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_n)(1, &t, &g, &mu, &gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circlef(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_nf)(1, &t, &g, &mu, &gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_n)(n, t, g, mu, gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nf)(n, t, g, mu, gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nu)(n, t, g, mu, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_nuf(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nuf)(n, t, g, mu, gamma, X, Y, R);
 }
 
 double gs_chord_max_angle(double mu)
@@ -635,9 +1241,21 @@ double gs_chord_max_angle(double mu)
     return angle;
 }
 
+float gs_chord_max_anglef(float mu)
+{
+    float angle;
+    GS_CHOOSE_SINGLE(gs_chord_max_angle_nf)(1, &mu, &angle);
+    return angle;
+}
+
 void gs_chord_max_angle_n(size_t n, const double *mu, double *angle)
 {
     GS_CHOOSE(gs_chord_max_angle_n)(n, mu, angle);
+}
+
+void gs_chord_max_angle_nf(size_t n, const float *mu, float *angle)
+{
+    GS_CHOOSE(gs_chord_max_angle_nf)(n, mu, angle);
 }
 
 double gs_projectile_flight_time_free(double theta, double v, double g)
@@ -647,14 +1265,31 @@ double gs_projectile_flight_time_free(double theta, double v, double g)
     return time;
 }
 
+float gs_projectile_flight_time_freef(float theta, float v, float g)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_free_nf)(1, &theta, &v, &g, &time);
+    return time;
+}
+
 void gs_projectile_flight_time_free_n(size_t n, const double *theta, const double *v, const double *g, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_free_n)(n, theta, v, g, time);
 }
 
+void gs_projectile_flight_time_free_nf(size_t n, const float *theta, const float *v, const float *g, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_free_nf)(n, theta, v, g, time);
+}
+
 void gs_projectile_flight_time_free_nu(size_t n, const double *theta, double v, double g, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_free_nu)(n, theta, v, g, time);
+}
+
+void gs_projectile_flight_time_free_nuf(size_t n, const float *theta, float v, float g, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_free_nuf)(n, theta, v, g, time);
 }
 
 double gs_projectile_flight_time_drag(double theta, double v, double g, double k)
@@ -664,14 +1299,31 @@ double gs_projectile_flight_time_drag(double theta, double v, double g, double k
     return time;
 }
 
+float gs_projectile_flight_time_dragf(float theta, float v, float g, float k)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_drag_nf)(1, &theta, &v, &g, &k, &time);
+    return time;
+}
+
 void gs_projectile_flight_time_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_drag_n)(n, theta, v, g, k, time);
 }
 
+void gs_projectile_flight_time_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nf)(n, theta, v, g, k, time);
+}
+
 void gs_projectile_flight_time_drag_nu(size_t n, const double *theta, double v, double g, double k, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_drag_nu)(n, theta, v, g, k, time);
+}
+
+void gs_projectile_flight_time_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nuf)(n, theta, v, g, k, time);
 }
 
 double gs_projectile_flight_time(double theta, double v, double g, double k)
@@ -681,14 +1333,31 @@ double gs_projectile_flight_time(double theta, double v, double g, double k)
     return time;
 }
 
+float gs_projectile_flight_timef(float theta, float v, float g, float k)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_drag_nf)(1, &theta, &v, &g, &k, &time);
+    return time;
+}
+
 void gs_projectile_flight_time_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_drag_n)(n, theta, v, g, k, time);
 }
 
+void gs_projectile_flight_time_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nf)(n, theta, v, g, k, time);
+}
+
 void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, double g, double k, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_drag_nu)(n, theta, v, g, k, time);
+}
+
+void gs_projectile_flight_time_nuf(size_t n, const float *theta, float v, float g, float k, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nuf)(n, theta, v, g, k, time);
 }
 
 double gs_projectile_horizontal_range_free(double theta, double v, double g)
@@ -698,14 +1367,31 @@ double gs_projectile_horizontal_range_free(double theta, double v, double g)
     return range;
 }
 
+float gs_projectile_horizontal_range_freef(float theta, float v, float g)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_free_nf)(1, &theta, &v, &g, &range);
+    return range;
+}
+
 void gs_projectile_horizontal_range_free_n(size_t n, const double *theta, const double *v, const double *g, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_free_n)(n, theta, v, g, range);
 }
 
+void gs_projectile_horizontal_range_free_nf(size_t n, const float *theta, const float *v, const float *g, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_free_nf)(n, theta, v, g, range);
+}
+
 void gs_projectile_horizontal_range_free_nu(size_t n, const double *theta, double v, double g, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_free_nu)(n, theta, v, g, range);
+}
+
+void gs_projectile_horizontal_range_free_nuf(size_t n, const float *theta, float v, float g, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_free_nuf)(n, theta, v, g, range);
 }
 
 double gs_projectile_horizontal_range_drag(double theta, double v, double g, double k)
@@ -715,14 +1401,31 @@ double gs_projectile_horizontal_range_drag(double theta, double v, double g, dou
     return range;
 }
 
+float gs_projectile_horizontal_range_dragf(float theta, float v, float g, float k)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_drag_nf)(1, &theta, &v, &g, &k, &range);
+    return range;
+}
+
 void gs_projectile_horizontal_range_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_drag_n)(n, theta, v, g, k, range);
 }
 
+void gs_projectile_horizontal_range_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nf)(n, theta, v, g, k, range);
+}
+
 void gs_projectile_horizontal_range_drag_nu(size_t n, const double *theta, double v, double g, double k, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_drag_nu)(n, theta, v, g, k, range);
+}
+
+void gs_projectile_horizontal_range_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nuf)(n, theta, v, g, k, range);
 }
 
 double gs_projectile_horizontal_range(double theta, double v, double g, double k)
@@ -732,9 +1435,21 @@ double gs_projectile_horizontal_range(double theta, double v, double g, double k
     return range;
 }
 
+float gs_projectile_horizontal_rangef(float theta, float v, float g, float k)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_drag_nf)(1, &theta, &v, &g, &k, &range);
+    return range;
+}
+
 void gs_projectile_horizontal_range_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_drag_n)(n, theta, v, g, k, range);
+}
+
+void gs_projectile_horizontal_range_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nf)(n, theta, v, g, k, range);
 }
 
 void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, double g, double k, double *range)
@@ -742,9 +1457,19 @@ void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, 
     GS_CHOOSE(gs_projectile_horizontal_range_drag_nu)(n, theta, v, g, k, range);
 }
 
+void gs_projectile_horizontal_range_nuf(size_t n, const float *theta, float v, float g, float k, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nuf)(n, theta, v, g, k, range);
+}
+
 void gs_projectile_position_free(double t, double theta, double v, double g, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_projectile_position_free_n)(1, &t, &theta, &v, &g, x, y);
+}
+
+void gs_projectile_position_freef(float t, float theta, float v, float g, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_free_nf)(1, &t, &theta, &v, &g, x, y);
 }
 
 void gs_projectile_position_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y)
@@ -752,9 +1477,19 @@ void gs_projectile_position_free_n(size_t n, const double *t, const double *thet
     GS_CHOOSE(gs_projectile_position_free_n)(n, t, theta, v, g, x, y);
 }
 
+void gs_projectile_position_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_free_nf)(n, t, theta, v, g, x, y);
+}
+
 void gs_projectile_position_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y)
 {
     GS_CHOOSE(gs_projectile_position_free_nu)(n, t, theta, v, g, x, y);
+}
+
+void gs_projectile_position_free_nuf(size_t n, const float *t, const float *theta, float v, float g, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_free_nuf)(n, t, theta, v, g, x, y);
 }
 
 void gs_projectile_position_drag(double t, double theta, double v, double g, double k, double *x, double *y)
@@ -762,9 +1497,19 @@ void gs_projectile_position_drag(double t, double theta, double v, double g, dou
     GS_CHOOSE_SINGLE(gs_projectile_position_drag_n)(1, &t, &theta, &v, &g, &k, x, y);
 }
 
+void gs_projectile_position_dragf(float t, float theta, float v, float g, float k, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_drag_nf)(1, &t, &theta, &v, &g, &k, x, y);
+}
+
 void gs_projectile_position_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y)
 {
     GS_CHOOSE(gs_projectile_position_drag_n)(n, t, theta, v, g, k, x, y);
+}
+
+void gs_projectile_position_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nf)(n, t, theta, v, g, k, x, y);
 }
 
 void gs_projectile_position_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y)
@@ -772,9 +1517,19 @@ void gs_projectile_position_drag_nu(size_t n, const double *t, const double *the
     GS_CHOOSE(gs_projectile_position_drag_nu)(n, t, theta, v, g, k, x, y);
 }
 
+void gs_projectile_position_drag_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nuf)(n, t, theta, v, g, k, x, y);
+}
+
 void gs_projectile_position(double t, double theta, double v, double g, double k, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_projectile_position_drag_n)(1, &t, &theta, &v, &g, &k, x, y);
+}
+
+void gs_projectile_positionf(float t, float theta, float v, float g, float k, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_drag_nf)(1, &t, &theta, &v, &g, &k, x, y);
 }
 
 void gs_projectile_position_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y)
@@ -782,9 +1537,19 @@ void gs_projectile_position_n(size_t n, const double *t, const double *theta, co
     GS_CHOOSE(gs_projectile_position_drag_n)(n, t, theta, v, g, k, x, y);
 }
 
+void gs_projectile_position_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nf)(n, t, theta, v, g, k, x, y);
+}
+
 void gs_projectile_position_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y)
 {
     GS_CHOOSE(gs_projectile_position_drag_nu)(n, t, theta, v, g, k, x, y);
+}
+
+void gs_projectile_position_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nuf)(n, t, theta, v, g, k, x, y);
 }
 
 void gs_projectile_velocity_free(double t, double theta, double v, double g, double *vx, double *vy)
@@ -792,9 +1557,19 @@ void gs_projectile_velocity_free(double t, double theta, double v, double g, dou
     GS_CHOOSE_SINGLE(gs_projectile_velocity_free_n)(1, &t, &theta, &v, &g, vx, vy);
 }
 
+void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_free_nf)(1, &t, &theta, &v, &g, vx, vy);
+}
+
 void gs_projectile_velocity_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy)
 {
     GS_CHOOSE(gs_projectile_velocity_free_n)(n, t, theta, v, g, vx, vy);
+}
+
+void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_free_nf)(n, t, theta, v, g, vx, vy);
 }
 
 void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy)
@@ -802,9 +1577,19 @@ void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *the
     GS_CHOOSE(gs_projectile_velocity_free_nu)(n, t, theta, v, g, vx, vy);
 }
 
+void gs_projectile_velocity_free_nuf(size_t n, const float *t, const float *theta, float v, float g, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_free_nuf)(n, t, theta, v, g, vx, vy);
+}
+
 void gs_projectile_velocity_drag(double t, double theta, double v, double g, double k, double *vx, double *vy)
 {
     GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_n)(1, &t, &theta, &v, &g, &k, vx, vy);
+}
+
+void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_nf)(1, &t, &theta, &v, &g, &k, vx, vy);
 }
 
 void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
@@ -812,9 +1597,19 @@ void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *thet
     GS_CHOOSE(gs_projectile_velocity_drag_n)(n, t, theta, v, g, k, vx, vy);
 }
 
+void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nf)(n, t, theta, v, g, k, vx, vy);
+}
+
 void gs_projectile_velocity_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy)
 {
     GS_CHOOSE(gs_projectile_velocity_drag_nu)(n, t, theta, v, g, k, vx, vy);
+}
+
+void gs_projectile_velocity_drag_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nuf)(n, t, theta, v, g, k, vx, vy);
 }
 
 void gs_projectile_velocity(double t, double theta, double v, double g, double k, double *vx, double *vy)
@@ -822,14 +1617,29 @@ void gs_projectile_velocity(double t, double theta, double v, double g, double k
     GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_n)(1, &t, &theta, &v, &g, &k, vx, vy);
 }
 
+void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_nf)(1, &t, &theta, &v, &g, &k, vx, vy);
+}
+
 void gs_projectile_velocity_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
 {
     GS_CHOOSE(gs_projectile_velocity_drag_n)(n, t, theta, v, g, k, vx, vy);
 }
 
+void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nf)(n, t, theta, v, g, k, vx, vy);
+}
+
 void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy)
 {
     GS_CHOOSE(gs_projectile_velocity_drag_nu)(n, t, theta, v, g, k, vx, vy);
+}
+
+void gs_projectile_velocity_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nuf)(n, t, theta, v, g, k, vx, vy);
 }
 
 double gs_projectile_range_slope_theta_free(double theta, double v, double g)
@@ -839,14 +1649,31 @@ double gs_projectile_range_slope_theta_free(double theta, double v, double g)
     return slope;
 }
 
+float gs_projectile_range_slope_theta_freef(float theta, float v, float g)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_free_nf)(1, &theta, &v, &g, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_theta_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_free_n)(n, theta, v, g, slope);
 }
 
+void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_free_nf)(n, theta, v, g, slope);
+}
+
 void gs_projectile_range_slope_theta_free_nu(size_t n, const double *theta, double v, double g, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_free_nu)(n, theta, v, g, slope);
+}
+
+void gs_projectile_range_slope_theta_free_nuf(size_t n, const float *theta, float v, float g, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_free_nuf)(n, theta, v, g, slope);
 }
 
 double gs_projectile_range_slope_theta_drag(double theta, double v, double g, double k)
@@ -856,14 +1683,31 @@ double gs_projectile_range_slope_theta_drag(double theta, double v, double g, do
     return slope;
 }
 
+float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_drag_nf)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_theta_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_drag_n)(n, theta, v, g, k, slope);
 }
 
+void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nf)(n, theta, v, g, k, slope);
+}
+
 void gs_projectile_range_slope_theta_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_drag_nu)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_theta_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nuf)(n, theta, v, g, k, slope);
 }
 
 double gs_projectile_range_slope_theta(double theta, double v, double g, double k)
@@ -873,14 +1717,31 @@ double gs_projectile_range_slope_theta(double theta, double v, double g, double 
     return slope;
 }
 
+float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_drag_nf)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_theta_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_drag_n)(n, theta, v, g, k, slope);
 }
 
+void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nf)(n, theta, v, g, k, slope);
+}
+
 void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_drag_nu)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_theta_nuf(size_t n, const float *theta, float v, float g, float k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nuf)(n, theta, v, g, k, slope);
 }
 
 double gs_projectile_range_slope_k_free(double theta, double v, double g)
@@ -890,14 +1751,31 @@ double gs_projectile_range_slope_k_free(double theta, double v, double g)
     return slope;
 }
 
+float gs_projectile_range_slope_k_freef(float theta, float v, float g)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_free_nf)(1, &theta, &v, &g, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_k_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_free_n)(n, theta, v, g, slope);
 }
 
+void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_free_nf)(n, theta, v, g, slope);
+}
+
 void gs_projectile_range_slope_k_free_nu(size_t n, const double *theta, double v, double g, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_free_nu)(n, theta, v, g, slope);
+}
+
+void gs_projectile_range_slope_k_free_nuf(size_t n, const float *theta, float v, float g, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_free_nuf)(n, theta, v, g, slope);
 }
 
 double gs_projectile_range_slope_k_drag(double theta, double v, double g, double k)
@@ -907,14 +1785,31 @@ double gs_projectile_range_slope_k_drag(double theta, double v, double g, double
     return slope;
 }
 
+float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_drag_nf)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_k_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_drag_n)(n, theta, v, g, k, slope);
 }
 
+void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nf)(n, theta, v, g, k, slope);
+}
+
 void gs_projectile_range_slope_k_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_drag_nu)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_k_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nuf)(n, theta, v, g, k, slope);
 }
 
 double gs_projectile_range_slope_k(double theta, double v, double g, double k)
@@ -924,14 +1819,31 @@ double gs_projectile_range_slope_k(double theta, double v, double g, double k)
     return slope;
 }
 
+float gs_projectile_range_slope_kf(float theta, float v, float g, float k)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_drag_nf)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_k_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_drag_n)(n, theta, v, g, k, slope);
 }
 
+void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nf)(n, theta, v, g, k, slope);
+}
+
 void gs_projectile_range_slope_k_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_drag_nu)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_k_nuf(size_t n, const float *theta, float v, float g, float k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nuf)(n, theta, v, g, k, slope);
 }
 
 double gs_projectile_max_range_free(double v, double g)
@@ -941,9 +1853,21 @@ double gs_projectile_max_range_free(double v, double g)
     return range;
 }
 
+float gs_projectile_max_range_freef(float v, float g)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_free_nf)(1, &v, &g, &range);
+    return range;
+}
+
 void gs_projectile_max_range_free_n(size_t n, const double *v, const double *g, double *range)
 {
     GS_CHOOSE(gs_projectile_max_range_free_n)(n, v, g, range);
+}
+
+void gs_projectile_max_range_free_nf(size_t n, const float *v, const float *g, float *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_free_nf)(n, v, g, range);
 }
 
 double gs_projectile_max_range_drag(double v, double g, double k)
@@ -953,9 +1877,21 @@ double gs_projectile_max_range_drag(double v, double g, double k)
     return range;
 }
 
+float gs_projectile_max_range_dragf(float v, float g, float k)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_drag_nf)(1, &v, &g, &k, &range);
+    return range;
+}
+
 void gs_projectile_max_range_drag_n(size_t n, const double *v, const double *g, const double *k, double *range)
 {
     GS_CHOOSE(gs_projectile_max_range_drag_n)(n, v, g, k, range);
+}
+
+void gs_projectile_max_range_drag_nf(size_t n, const float *v, const float *g, const float *k, float *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_drag_nf)(n, v, g, k, range);
 }
 
 double gs_projectile_max_range(double v, double g, double k)
@@ -965,7 +1901,19 @@ double gs_projectile_max_range(double v, double g, double k)
     return range;
 }
 
+float gs_projectile_max_rangef(float v, float g, float k)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_drag_nf)(1, &v, &g, &k, &range);
+    return range;
+}
+
 void gs_projectile_max_range_n(size_t n, const double *v, const double *g, const double *k, double *range)
 {
     GS_CHOOSE(gs_projectile_max_range_drag_n)(n, v, g, k, range);
+}
+
+void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const float *k, float *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_drag_nf)(n, v, g, k, range);
 }

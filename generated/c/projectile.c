@@ -37,39 +37,6 @@ double gs_scaled_projectile_flight_time_drag(double theta_in, double v_in, doubl
     return gs_settle(gs_scale(gs_mul(rise, gs_flight_factor(b)), 1), (isinf(v_in) && isinf(g_in)));
 }
 
-float gs_projectile_flight_time_freef(float theta, float v, float g)
-{
-    return (float)gs_projectile_flight_time_free(gs_widen_angle(theta), (double)v, (double)g);
-}
-
-void gs_projectile_flight_time_free_nf(size_t n, const float *theta, const float *v, const float *g, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_time_freef(theta[i], v[i], g[i]);
-}
-
-float gs_projectile_flight_time_dragf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_flight_time_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_flight_time_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_time_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-float gs_projectile_flight_timef(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_flight_time(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_flight_time_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_timef(theta[i], v[i], g[i], k[i]);
-}
-
 /* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 double gs_scaled_projectile_horizontal_range_free(double theta_in, double v_in, double g_in)
@@ -104,39 +71,6 @@ double gs_scaled_projectile_horizontal_range_drag(double theta_in, double v_in, 
     const gs_scaled C = gs_cosine(a);
     const gs_scaled b = gs_mul(k, rise);
     return gs_settle(gs_scale(gs_mul(gs_mul(gs_mul(v, rise), C), gs_range_factor(b)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-float gs_projectile_horizontal_range_freef(float theta, float v, float g)
-{
-    return (float)gs_projectile_horizontal_range_free(gs_widen_angle(theta), (double)v, (double)g);
-}
-
-void gs_projectile_horizontal_range_free_nf(size_t n, const float *theta, const float *v, const float *g, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_range_freef(theta[i], v[i], g[i]);
-}
-
-float gs_projectile_horizontal_range_dragf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_horizontal_range_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_horizontal_range_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_range_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-float gs_projectile_horizontal_rangef(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_horizontal_range(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_horizontal_range_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_rangef(theta[i], v[i], g[i], k[i]);
 }
 
 /* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
@@ -189,48 +123,6 @@ void gs_scaled_projectile_position_drag(double t_in, double theta_in, double v_i
     *y_out = gs_settle(gs_sub(gs_mul(reach, S), gs_mul(fall, gs_phi2m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && isinf(k_in)) || ((isinf(t_in) || isinf(g_in)) && isinf(k_in))));
 }
 
-void gs_projectile_position_freef(float t, float theta, float v, float g, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_projectile_position_free((double)t, gs_widen_angle(theta), (double)v, (double)g, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_projectile_position_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_position_freef(t[i], theta[i], v[i], g[i], x + i, y + i);
-}
-
-void gs_projectile_position_dragf(float t, float theta, float v, float g, float k, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_projectile_position_drag((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_projectile_position_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_position_dragf(t[i], theta[i], v[i], g[i], k[i], x + i, y + i);
-}
-
-void gs_projectile_positionf(float t, float theta, float v, float g, float k, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_projectile_position((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_projectile_position_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_positionf(t[i], theta[i], v[i], g[i], k[i], x + i, y + i);
-}
-
 /* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void gs_scaled_projectile_velocity_free(double t_in, double theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
@@ -278,48 +170,6 @@ void gs_scaled_projectile_velocity_drag(double t_in, double theta_in, double v_i
     *vy_out = gs_settle(gs_sub(gs_mul(gs_mul(v, fade), S), gs_mul(gs_mul(t, g), gs_phi1m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && (isinf(t_in) || isinf(k_in))) || (isinf(g_in) && isinf(k_in))));
 }
 
-void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy)
-{
-    double vx_wide, vy_wide;
-    gs_projectile_velocity_free((double)t, gs_widen_angle(theta), (double)v, (double)g, &vx_wide, &vy_wide);
-    *vx = (float)vx_wide;
-    *vy = (float)vy_wide;
-}
-
-void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocity_freef(t[i], theta[i], v[i], g[i], vx + i, vy + i);
-}
-
-void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy)
-{
-    double vx_wide, vy_wide;
-    gs_projectile_velocity_drag((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &vx_wide, &vy_wide);
-    *vx = (float)vx_wide;
-    *vy = (float)vy_wide;
-}
-
-void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocity_dragf(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
-}
-
-void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy)
-{
-    double vx_wide, vy_wide;
-    gs_projectile_velocity((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &vx_wide, &vy_wide);
-    *vx = (float)vx_wide;
-    *vy = (float)vy_wide;
-}
-
-void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocityf(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
-}
-
 /* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 double gs_scaled_projectile_range_slope_theta_free(double theta_in, double v_in, double g_in)
@@ -353,39 +203,6 @@ double gs_scaled_projectile_range_slope_theta_drag(double theta_in, double v_in,
     const gs_scaled rise = gs_div(gs_mul(v, S), g);
     const gs_scaled b = gs_mul(k, rise);
     return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(gs_mul(v, v), gs_sub(gs_mul(gs_mul(C, C), gs_range_balance(b)), gs_mul(S, S))), gs_range_factor(b)), g), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-float gs_projectile_range_slope_theta_freef(float theta, float v, float g)
-{
-    return (float)gs_projectile_range_slope_theta_free(gs_widen_angle(theta), (double)v, (double)g);
-}
-
-void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_theta_freef(theta[i], v[i], g[i]);
-}
-
-float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_range_slope_theta_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_theta_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_range_slope_theta(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_thetaf(theta[i], v[i], g[i], k[i]);
 }
 
 /* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
@@ -424,39 +241,6 @@ double gs_scaled_projectile_range_slope_k_drag(double theta_in, double v_in, dou
     return gs_settle(gs_scale(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), gs_range_loss(b)), g)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
-float gs_projectile_range_slope_k_freef(float theta, float v, float g)
-{
-    return (float)gs_projectile_range_slope_k_free(gs_widen_angle(theta), (double)v, (double)g);
-}
-
-void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_k_freef(theta[i], v[i], g[i]);
-}
-
-float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_range_slope_k_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_k_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-float gs_projectile_range_slope_kf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_range_slope_k(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_kf(theta[i], v[i], g[i], k[i]);
-}
-
 /* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
  * Operations: 1 div, 1 mul. */
 double gs_scaled_projectile_max_range_free(double v_in, double g_in)
@@ -483,39 +267,6 @@ double gs_scaled_projectile_max_range_drag(double v_in, double g_in, double k_in
     const gs_scaled k = gs_load(k_in);
     const gs_scaled alpha = gs_div(gs_mul(v, k), g);
     return gs_settle(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-float gs_projectile_max_range_freef(float v, float g)
-{
-    return (float)gs_projectile_max_range_free((double)v, (double)g);
-}
-
-void gs_projectile_max_range_free_nf(size_t n, const float *v, const float *g, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_range_freef(v[i], g[i]);
-}
-
-float gs_projectile_max_range_dragf(float v, float g, float k)
-{
-    return (float)gs_projectile_max_range_drag((double)v, (double)g, (double)k);
-}
-
-void gs_projectile_max_range_drag_nf(size_t n, const float *v, const float *g, const float *k, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_range_dragf(v[i], g[i], k[i]);
-}
-
-float gs_projectile_max_rangef(float v, float g, float k)
-{
-    return (float)gs_projectile_max_range((double)v, (double)g, (double)k);
-}
-
-void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const float *k, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_rangef(v[i], g[i], k[i]);
 }
 
 /* The largest value that is told, without flags: it is only compared with. */

@@ -7,7 +7,7 @@
 
 #define GS_LANES 1
 #define GS_SUFFIX _plain
-#include "galileo_loops.h"
+#include "galileo_singles.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(GS_PORTABLE)
 static int gs_has_wide_vectors(void)
@@ -18,7 +18,7 @@ static int gs_has_wide_vectors(void)
 static int gs_has_vectors(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 #define GS_DECLARED(name, suffix)                                                                                      \
     void name##_n##suffix(size_t n, const double *x, double *value);                                                   \
-    void name##_nf##suffix(size_t n, const float *x, float *value);
+    void name##_ns##suffix(size_t n, const float *x, float *value);
 #define GS_DECLARE(name) GS_DECLARED(name, _avx512) GS_DECLARED(name, _avx2) GS_DECLARED(name, _fma)
 #define GS_CHOOSE(name)                                                                                                \
     (gs_has_wide_vectors() ? name##_avx512 : gs_has_vectors() ? name##_avx2 : name##_plain)
@@ -76,7 +76,7 @@ static void gs_excuse_single(int before, size_t n, const float *value, int zero_
     {                                                                                                                  \
         const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
         LOOK(n, x);                                                                                                    \
-        GS_CHOOSE(gs_##name##_nf)(n, x, value);                                                                        \
+        GS_CHOOSE(gs_##name##_ns)(n, x, value);                                                                        \
         gs_excuse_single(before, n, value, zero);                                                                      \
     }                                                                                                                  \
     double gs_special_##name(double x)                                                                                 \
@@ -91,7 +91,7 @@ static void gs_excuse_single(int before, size_t n, const float *value, int zero_
     {                                                                                                                  \
         const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
         LOOK(1, &x);                                                                                                   \
-        GS_CHOOSE_SINGLE(gs_##name##_nf)(1, &x, &x);                                                                   \
+        GS_CHOOSE_SINGLE(gs_##name##_ns)(1, &x, &x);                                                                   \
         gs_excuse_single(before, 1, &x, zero);                                                                         \
         return x;                                                                                                      \
     }

@@ -20,7 +20,7 @@
 
 #define GS_LANES 8
 #define GS_SUFFIX _avx512
-#include "galileo_loops.h"
+#include "galileo_singles.h"
 
 GS_LOOPS(phi1m)
 GS_LOOPS(phi2m)

@@ -15,7 +15,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "1372f0675a19fb07d9e2bf67b8b82f5529822caa0262b9ea131ac52820a59f6a";
+const char gs_sources[] = "6d126e9d5ed7c467da79c5ce57d28af5e2e941b68aff03ca14c74d66dd7285a6";
 
 static const gs_interval gs_positive = {DBL_TRUE_MIN, INFINITY};
 static const gs_interval gs_nonnegative = {0.0, INFINITY};

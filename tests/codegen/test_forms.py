@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from samples import arguments
 
+from galileo_sym.codegen.forms import ARRAYS, VALUES, name_of
 from galileo_sym.codegen.kernels import TARGETS
-from galileo_sym.codegen.lanes import ARRAYS, VALUES, forms, name_of, shapes
+from galileo_sym.codegen.lanes import forms, shapes
 
 FORMS = forms()
 IDS = [f"{f.full_name}-{s}" for f, s in FORMS]
@@ -32,78 +33,108 @@ def _pointer(array):
     return ctypes.c_void_p(array.ctypes.data)
 
 
+SCALARS = {np.float64: ctypes.c_double, np.float32: ctypes.c_float}
+LETTERS = {np.float64: "", np.float32: "f"}
+each_dtype = pytest.mark.parametrize("dtype", SCALARS, ids=["binary64", "binary32"])
+
+
 def run(library, function, force_set, shape, values, ending=""):
     """Outputs of a form; in the shape of values, of the first of each keyword argument."""
     names = [a.name for a in function.arguments(force_set)]
-    results = [np.full(values[0].size, -7.0) for _ in function.outputs]
+    dtype = values[0].dtype.type
+    results = [np.full(values[0].size, -7.0, dtype) for _ in function.outputs]
     given = [
-        ctypes.c_double(value[0]) if shape == VALUES and name in names[len(function.positional) :] else _pointer(value)
+        SCALARS[dtype](value[0]) if shape == VALUES and name in names[len(function.positional) :] else _pointer(value)
         for name, value in zip(names, values, strict=True)
     ]
-    routine = getattr(library, f"{name_of(function, force_set)}_{shape}{ending}")
+    routine = getattr(library, f"{name_of(function, force_set)}_{shape}{LETTERS[dtype]}{ending}")
     routine.restype = None
     routine(ctypes.c_size_t(values[0].size), *given, *map(_pointer, results))
     return results
 
 
-def awkward(function, force_set, seed):
+def awkward(function, force_set, seed, dtype):
     """Ordinary arguments with others strewn among them: 0, tiny, huge, infinite, NaN, beyond the domain."""
     rng = np.random.default_rng(seed)
     odd = np.array([0.0, -0.0, 5e-324, 1e-300, 1e-200, 1e-31, 1e31, 1e200, 1e308, np.inf, np.nan, -1.0, np.pi / 2, 2.0])
     values = []
     for value in arguments(function, force_set, COUNT, 8, seed=seed).values():
         struck = rng.random(COUNT) < 0.06
-        values.append(np.where(struck, rng.choice(odd, COUNT), value))
+        with np.errstate(over="ignore", under="ignore"):
+            values.append(np.where(struck, rng.choice(odd, COUNT), value).astype(dtype))
     return values
 
 
 def _same(results, others):
-    return all(np.array_equal(a.view(np.int64), b.view(np.int64)) for a, b in zip(results, others, strict=True))
+    return all(a.tobytes() == b.tobytes() for a, b in zip(results, others, strict=True))
 
 
 @pytest.mark.parametrize("compiler", compiled.compilers() or [None])
+@each_dtype
 @each_form
-def test_every_version_and_shape_gives_the_same_bits(compiler, function, force_set):
+def test_every_version_and_shape_gives_the_same_bits(compiler, function, force_set, dtype):
     library = compiled.library(compiler)
-    values = awkward(function, force_set, seed=1)
+    values = awkward(function, force_set, 1, dtype)
     keywords = len(function.positional)
     for shape in shapes(function):
         given = values
         if shape == VALUES:
-            given = [v if i < keywords else np.full(COUNT, v[3]) for i, v in enumerate(values)]
+            given = [v if i < keywords else np.full(COUNT, v[3], dtype) for i, v in enumerate(values)]
         expected = run(compiled.library(), function, force_set, ARRAYS, given)
         for ending in ["", *(f"_{version}" for version in versions())]:
             assert _same(run(library, function, force_set, shape, given, ending), expected), (shape, ending)
 
 
+@each_dtype
 @each_form
-def test_single_numbers_and_short_arrays_give_the_same_bits(function, force_set):
+def test_single_numbers_and_short_arrays_give_the_same_bits(function, force_set, dtype):
     library = compiled.library()
-    values = awkward(function, force_set, seed=2)
+    values = awkward(function, force_set, 2, dtype)
     whole = run(library, function, force_set, ARRAYS, values)
     for length in [*range(1, 18), 31]:
         part = run(library, function, force_set, ARRAYS, [np.ascontiguousarray(v[:length]) for v in values])
         assert _same(part, [w[:length] for w in whole])
-    scalar = getattr(library, name_of(function, force_set))
+    scalar, number = getattr(library, name_of(function, force_set) + LETTERS[dtype]), SCALARS[dtype]
     several = len(function.outputs) > 1
-    scalar.restype = None if several else ctypes.c_double
+    scalar.restype = None if several else number
     for i in range(40):
-        given = [ctypes.c_double(v[i]) for v in values]
-        results = [ctypes.c_double() for _ in function.outputs]
+        given = [number(v[i]) for v in values]
+        results = [number() for _ in function.outputs]
         told = scalar(*given, *(map(ctypes.byref, results) if several else ()))
         found = [r.value for r in results] if several else [told]
-        assert _same([np.array([f]) for f in found], [w[i : i + 1] for w in whole])
+        assert _same([np.array([f], dtype) for f in found], [w[i : i + 1] for w in whole])
+
+
+@each_dtype
+@each_form
+def test_a_result_may_take_the_place_of_an_argument(function, force_set, dtype):
+    library = compiled.library()
+    values = awkward(function, force_set, 3, dtype)
+    expected = run(library, function, force_set, ARRAYS, values)
+    results = [values[0], *(np.empty(COUNT, dtype) for _ in function.outputs[1:])]
+    routine = getattr(library, f"{name_of(function, force_set)}_{ARRAYS}{LETTERS[dtype]}")
+    routine(ctypes.c_size_t(COUNT), *map(_pointer, values), *map(_pointer, results))
+    assert _same(results, expected)
 
 
 @each_form
-def test_a_result_may_take_the_place_of_an_argument(function, force_set):
+def test_binary32_is_the_binary64_result_but_for_a_little(function, force_set):
+    """Half a unit in the last place for the rounding, and no more than 1/64 for what plain arithmetic errs by."""
     library = compiled.library()
-    values = [np.ascontiguousarray(v) for v in awkward(function, force_set, seed=3)]
-    expected = run(library, function, force_set, ARRAYS, values)
-    results = [values[0], *(np.empty(COUNT) for _ in function.outputs[1:])]
-    routine = getattr(library, f"{name_of(function, force_set)}_{ARRAYS}")
-    routine(ctypes.c_size_t(COUNT), *map(_pointer, values), *map(_pointer, results))
-    assert _same(results, expected)
+    values = awkward(function, force_set, 5, np.float32)
+    wide = [v.astype(np.float64) for v in values]
+    for i, argument in enumerate(function.arguments(force_set)):
+        if argument.unit == "rad":
+            steep = np.abs(values[i]) == np.float32(np.pi / 2)
+            wide[i] = np.where(steep, np.copysign(np.pi / 2, wide[i]), wide[i])
+    narrow = run(library, function, force_set, ARRAYS, values)
+    for result, exact in zip(narrow, run(library, function, force_set, ARRAYS, wide), strict=True):
+        with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+            nearest = exact.astype(np.float32)
+            units = np.abs(result - exact) / np.spacing(np.abs(nearest).clip(2.0**-126, 2.0**127)).astype(float)
+        plain = np.isfinite(nearest) & np.isfinite(result)
+        assert np.array_equal(result[~plain], nearest[~plain], equal_nan=True)
+        assert units[plain].max(initial=0.0) <= 0.5 + 1 / 64
 
 
 FLAGS = {"invalid": 1, "divide": 4, "overflow": 8, "underflow": 16}  # as x86-64 has them

@@ -12,6 +12,7 @@ HEADERS = (
     "galileo_frames.h",
 )  # each primitive uses some of what they define
 LOOPS = "galileo_loops.h"
+QUICK = ("galileo_lean.h", "galileo_singles.h")
 _HEAD = r"^(?:GS_TABLE\((\w+)\)|static\b[^\n(]*?\b(gs_\w+)\()"
 _DEFINITION = re.compile(_HEAD + r"(?:[^\n]*\}\n|.*?^\}[^\n]*\n)", re.MULTILINE | re.DOTALL)  # in a line, or in many
 _GUARD = re.compile(r"#ifndef (\w+)\n#define \1\n(#include \"galileo\w*\.h\"\n)?(.*)#endif\s*", re.DOTALL)
@@ -76,3 +77,10 @@ def digest(name, folder=None):
     between = _DEFINITION.sub("", text)
     parts = [*used_by(name, text), between, _bare(folder / LOOPS)]
     return hashlib.sha256("\n".join(" ".join(part.split()) for part in parts).encode()).hexdigest()
+
+
+def singles_digest(name, folder=None):
+    """Return the SHA-256 of what the quick binary32 function of a primitive, and that by pairs, are compiled from."""
+    folder = Path(folder or c_folder())
+    parts = [digest(name, folder), *(" ".join(_COMMENT.sub("", (folder / file).read_text()).split()) for file in QUICK)]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()

@@ -8,7 +8,7 @@ from math import log2
 from pathlib import Path
 
 from exhaustive import certain
-from exhaustive.emitted import digest
+from exhaustive.emitted import digest, singles_digest
 from galileo_sym.files import write_whole
 from galileo_sym.primitives.kernels import KERNELS
 
@@ -19,7 +19,7 @@ FAULTS = ("wrong", "unsettled", "differing")
 
 INTRODUCTION = """# Every binary32 input
 
-Made by `make exhaustive` and `make same-bits`; not written by hand.
+Made by `make exhaustive`, `make same-bits` and `make singles`; not written by hand.
 
 Each primitive's binary32 function is tried at all 2^32 inputs. A value is right if it is the float nearest to the exact
 one; NaN for NaN and for what is outside of the domain; the limit at 0, -0 and infinity. The reference solves the
@@ -32,6 +32,11 @@ of 256 inputs the other vector version for this machine is held to the same bits
 
 SAME_BITS = """Random bits of all numbers, dense ones where most arguments lie, and the hard cases of `tests/data/`, in
 every version by every compiler: plain C99, one number at a time with FMA, AVX2, AVX-512, as far as the machine goes."""
+
+
+SINGLES = """What `gs_special_NAME_nf` calls is quicker: plain double arithmetic where that settles the rounding, else
+the pairs that are tried above. Here both are held to the same bits: vector versions at all 2^32 inputs, those of one
+number at a time in one of 256 stretches of 2^20."""
 
 
 def machine():
@@ -52,8 +57,8 @@ def stamp():
 
 
 def kept():
-    """Return the committed results: {"exhaustive": {primitive: row}, "same_bits": {primitive: row}}."""
-    empty = {"exhaustive": {}, "same_bits": {}}
+    """Return the committed results by kind, each {primitive: row}."""
+    empty = {"exhaustive": {}, "same_bits": {}, "singles": {}}
     return empty | json.loads(KEPT.read_text(encoding="utf-8")) if KEPT.exists() else empty
 
 
@@ -64,7 +69,8 @@ def faults(found):
 
 def stale(name, what="exhaustive"):
     """Return whether the committed result of a primitive is missing, or of other sources than the emitted ones."""
-    return kept()[what].get(name, {}).get("sources") != digest(name)
+    of = singles_digest if what == "singles" else digest
+    return kept()[what].get(name, {}).get("sources") != of(name)
 
 
 def _keep(what, name, row):
@@ -84,6 +90,11 @@ def keep_exhaustive(found, sources):
 def keep_same_bits(name, row, sources):
     """Commit the result of a comparison of versions."""
     _keep("same_bits", name, {**row, "sources": sources, **stamp()})
+
+
+def keep_singles(name, row, sources):
+    """Commit the result of a comparison of the quick functions with those by pairs."""
+    _keep("singles", name, {**row, "sources": sources, **stamp()})
 
 
 def _table(head, rows):
@@ -122,6 +133,19 @@ def page(result):
             row["sources"][:16],
         ]
         for name, row in result["same_bits"].items()
+    ]
+    lines += [*_table(heads, rows), "", "## The quick functions", "", SINGLES, ""]
+    heads = ["primitive", "inputs", "other bits", "time", "date", "sources"]
+    rows = [
+        [
+            name,
+            ", ".join(f"{version} {count}" for version, count in row["inputs"].items()),
+            str(row["differing"]),
+            f"{row['seconds']:.0f} s",
+            row["date"],
+            row["sources"][:16],
+        ]
+        for name, row in result["singles"].items()
     ]
     lines += [*_table(heads, rows), ""]
     machines = sorted({r["machine"] for rows in result.values() for r in rows.values()})

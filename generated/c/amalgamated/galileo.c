@@ -64,29 +64,34 @@ const char *gs_vectors(void);
  */
 double gs_chord_descent_time_free(double theta, double diameter, double g);
 void gs_chord_descent_time_free_n(size_t n, const double *theta, const double *diameter, const double *g, double *time);
+void gs_chord_descent_time_free_nu(size_t n, const double *theta, double diameter, double g, double *time);
 float gs_chord_descent_time_freef(float theta, float diameter, float g);
 void gs_chord_descent_time_free_nf(size_t n, const float *theta, const float *diameter, const float *g, float *time);
-void gs_chord_descent_time_free_nu(size_t n, const double *theta, double diameter, double g, double *time);
+void gs_chord_descent_time_free_nuf(size_t n, const float *theta, float diameter, float g, float *time);
 double gs_chord_descent_time_friction(double theta, double diameter, double g, double mu);
 void gs_chord_descent_time_friction_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time);
+void gs_chord_descent_time_friction_nu(size_t n, const double *theta, double diameter, double g, double mu, double *time);
 float gs_chord_descent_time_frictionf(float theta, float diameter, float g, float mu);
 void gs_chord_descent_time_friction_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time);
-void gs_chord_descent_time_friction_nu(size_t n, const double *theta, double diameter, double g, double mu, double *time);
+void gs_chord_descent_time_friction_nuf(size_t n, const float *theta, float diameter, float g, float mu, float *time);
 double gs_chord_descent_time_drag(double theta, double diameter, double g, double gamma);
 void gs_chord_descent_time_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time);
+void gs_chord_descent_time_drag_nu(size_t n, const double *theta, double diameter, double g, double gamma, double *time);
 float gs_chord_descent_time_dragf(float theta, float diameter, float g, float gamma);
 void gs_chord_descent_time_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time);
-void gs_chord_descent_time_drag_nu(size_t n, const double *theta, double diameter, double g, double gamma, double *time);
+void gs_chord_descent_time_drag_nuf(size_t n, const float *theta, float diameter, float g, float gamma, float *time);
 double gs_chord_descent_time_friction_drag(double theta, double diameter, double g, double mu, double gamma);
 void gs_chord_descent_time_friction_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
+void gs_chord_descent_time_friction_drag_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
 float gs_chord_descent_time_friction_dragf(float theta, float diameter, float g, float mu, float gamma);
 void gs_chord_descent_time_friction_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
-void gs_chord_descent_time_friction_drag_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
+void gs_chord_descent_time_friction_drag_nuf(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time);
 double gs_chord_descent_time(double theta, double diameter, double g, double mu, double gamma);
 void gs_chord_descent_time_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time);
+void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
 float gs_chord_descent_timef(float theta, float diameter, float g, float mu, float gamma);
 void gs_chord_descent_time_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time);
-void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time);
+void gs_chord_descent_time_nuf(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time);
 
 /* Distance a bead released from rest has gone along a chord.
  *
@@ -108,29 +113,34 @@ void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, do
  */
 double gs_chord_distance_free(double t, double theta, double g);
 void gs_chord_distance_free_n(size_t n, const double *t, const double *theta, const double *g, double *distance);
+void gs_chord_distance_free_nu(size_t n, const double *t, const double *theta, double g, double *distance);
 float gs_chord_distance_freef(float t, float theta, float g);
 void gs_chord_distance_free_nf(size_t n, const float *t, const float *theta, const float *g, float *distance);
-void gs_chord_distance_free_nu(size_t n, const double *t, const double *theta, double g, double *distance);
+void gs_chord_distance_free_nuf(size_t n, const float *t, const float *theta, float g, float *distance);
 double gs_chord_distance_friction(double t, double theta, double g, double mu);
 void gs_chord_distance_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance);
+void gs_chord_distance_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *distance);
 float gs_chord_distance_frictionf(float t, float theta, float g, float mu);
 void gs_chord_distance_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance);
-void gs_chord_distance_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *distance);
+void gs_chord_distance_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *distance);
 double gs_chord_distance_drag(double t, double theta, double g, double gamma);
 void gs_chord_distance_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance);
+void gs_chord_distance_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *distance);
 float gs_chord_distance_dragf(float t, float theta, float g, float gamma);
 void gs_chord_distance_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance);
-void gs_chord_distance_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *distance);
+void gs_chord_distance_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *distance);
 double gs_chord_distance_friction_drag(double t, double theta, double g, double mu, double gamma);
 void gs_chord_distance_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
+void gs_chord_distance_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
 float gs_chord_distance_friction_dragf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_distance_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
-void gs_chord_distance_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
+void gs_chord_distance_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance);
 double gs_chord_distance(double t, double theta, double g, double mu, double gamma);
 void gs_chord_distance_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance);
+void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
 float gs_chord_distancef(float t, float theta, float g, float mu, float gamma);
 void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance);
-void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance);
+void gs_chord_distance_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance);
 
 /* Speed along a chord of a bead released from rest.
  *
@@ -152,29 +162,34 @@ void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double
  */
 double gs_chord_speed_free(double t, double theta, double g);
 void gs_chord_speed_free_n(size_t n, const double *t, const double *theta, const double *g, double *speed);
+void gs_chord_speed_free_nu(size_t n, const double *t, const double *theta, double g, double *speed);
 float gs_chord_speed_freef(float t, float theta, float g);
 void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const float *g, float *speed);
-void gs_chord_speed_free_nu(size_t n, const double *t, const double *theta, double g, double *speed);
+void gs_chord_speed_free_nuf(size_t n, const float *t, const float *theta, float g, float *speed);
 double gs_chord_speed_friction(double t, double theta, double g, double mu);
 void gs_chord_speed_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed);
+void gs_chord_speed_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *speed);
 float gs_chord_speed_frictionf(float t, float theta, float g, float mu);
 void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed);
-void gs_chord_speed_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *speed);
+void gs_chord_speed_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *speed);
 double gs_chord_speed_drag(double t, double theta, double g, double gamma);
 void gs_chord_speed_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed);
+void gs_chord_speed_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *speed);
 float gs_chord_speed_dragf(float t, float theta, float g, float gamma);
 void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed);
-void gs_chord_speed_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *speed);
+void gs_chord_speed_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *speed);
 double gs_chord_speed_friction_drag(double t, double theta, double g, double mu, double gamma);
 void gs_chord_speed_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
+void gs_chord_speed_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
 float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
-void gs_chord_speed_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
+void gs_chord_speed_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed);
 double gs_chord_speed(double t, double theta, double g, double mu, double gamma);
 void gs_chord_speed_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed);
+void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
 float gs_chord_speedf(float t, float theta, float g, float mu, float gamma);
 void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed);
-void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed);
+void gs_chord_speed_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed);
 
 /* Position of a bead released from rest at the top, x to the right and y down.
  *
@@ -197,29 +212,34 @@ void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g,
  */
 void gs_chord_position_free(double t, double theta, double g, double *x, double *y);
 void gs_chord_position_free_n(size_t n, const double *t, const double *theta, const double *g, double *x, double *y);
+void gs_chord_position_free_nu(size_t n, const double *t, const double *theta, double g, double *x, double *y);
 void gs_chord_position_freef(float t, float theta, float g, float *x, float *y);
 void gs_chord_position_free_nf(size_t n, const float *t, const float *theta, const float *g, float *x, float *y);
-void gs_chord_position_free_nu(size_t n, const double *t, const double *theta, double g, double *x, double *y);
+void gs_chord_position_free_nuf(size_t n, const float *t, const float *theta, float g, float *x, float *y);
 void gs_chord_position_friction(double t, double theta, double g, double mu, double *x, double *y);
 void gs_chord_position_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y);
+void gs_chord_position_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y);
 void gs_chord_position_frictionf(float t, float theta, float g, float mu, float *x, float *y);
 void gs_chord_position_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y);
-void gs_chord_position_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y);
+void gs_chord_position_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *x, float *y);
 void gs_chord_position_drag(double t, double theta, double g, double gamma, double *x, double *y);
 void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y);
+void gs_chord_position_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y);
 void gs_chord_position_dragf(float t, float theta, float g, float gamma, float *x, float *y);
 void gs_chord_position_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y);
-void gs_chord_position_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y);
+void gs_chord_position_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *x, float *y);
 void gs_chord_position_friction_drag(double t, double theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position_friction_dragf(float t, float theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_position_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
-void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
+void gs_chord_position_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_position(double t, double theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_position_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y);
+void gs_chord_position_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
 void gs_chord_positionf(float t, float theta, float g, float mu, float gamma, float *x, float *y);
 void gs_chord_position_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y);
-void gs_chord_position_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y);
+void gs_chord_position_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y);
 
 /* Circle on which beads released together are found: centre (-X, Y) for theta > 0, (X, Y) for theta < 0.
  *
@@ -241,29 +261,34 @@ void gs_chord_position_nu(size_t n, const double *t, const double *theta, double
  */
 void gs_chord_synchronous_circle_free(double t, double g, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_free_n(size_t n, const double *t, const double *g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_freef(float t, float g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_free_nf(size_t n, const float *t, const float *g, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_free_nuf(size_t n, const float *t, float g, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction(double t, double g, double mu, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nu(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_frictionf(float t, float g, float mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_nf(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_friction_nu(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_nuf(size_t n, const float *t, float g, float mu, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag(double t, double g, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_drag_n(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_dragf(float t, float g, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_drag_nf(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_drag_nuf(size_t n, const float *t, float g, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag(double t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_friction_dragf(float t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_friction_drag_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_friction_drag_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_friction_drag_nuf(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circle_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
 void gs_chord_synchronous_circlef(float t, float g, float mu, float gamma, float *X, float *Y, float *R);
 void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R);
-void gs_chord_synchronous_circle_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R);
+void gs_chord_synchronous_circle_nuf(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R);
 
 /* Angle from the vertical from which on friction holds a bead at rest.
  *
@@ -296,19 +321,22 @@ void gs_chord_max_angle_nf(size_t n, const float *mu, float *angle);
  */
 double gs_projectile_flight_time_free(double theta, double v, double g);
 void gs_projectile_flight_time_free_n(size_t n, const double *theta, const double *v, const double *g, double *time);
+void gs_projectile_flight_time_free_nu(size_t n, const double *theta, double v, double g, double *time);
 float gs_projectile_flight_time_freef(float theta, float v, float g);
 void gs_projectile_flight_time_free_nf(size_t n, const float *theta, const float *v, const float *g, float *time);
-void gs_projectile_flight_time_free_nu(size_t n, const double *theta, double v, double g, double *time);
+void gs_projectile_flight_time_free_nuf(size_t n, const float *theta, float v, float g, float *time);
 double gs_projectile_flight_time_drag(double theta, double v, double g, double k);
 void gs_projectile_flight_time_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
+void gs_projectile_flight_time_drag_nu(size_t n, const double *theta, double v, double g, double k, double *time);
 float gs_projectile_flight_time_dragf(float theta, float v, float g, float k);
 void gs_projectile_flight_time_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
-void gs_projectile_flight_time_drag_nu(size_t n, const double *theta, double v, double g, double k, double *time);
+void gs_projectile_flight_time_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *time);
 double gs_projectile_flight_time(double theta, double v, double g, double k);
 void gs_projectile_flight_time_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time);
+void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, double g, double k, double *time);
 float gs_projectile_flight_timef(float theta, float v, float g, float k);
 void gs_projectile_flight_time_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time);
-void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, double g, double k, double *time);
+void gs_projectile_flight_time_nuf(size_t n, const float *theta, float v, float g, float k, float *time);
 
 /* Horizontal distance at which a projectile is back at the height of its launch.
  *
@@ -326,19 +354,22 @@ void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, doubl
  */
 double gs_projectile_horizontal_range_free(double theta, double v, double g);
 void gs_projectile_horizontal_range_free_n(size_t n, const double *theta, const double *v, const double *g, double *range);
+void gs_projectile_horizontal_range_free_nu(size_t n, const double *theta, double v, double g, double *range);
 float gs_projectile_horizontal_range_freef(float theta, float v, float g);
 void gs_projectile_horizontal_range_free_nf(size_t n, const float *theta, const float *v, const float *g, float *range);
-void gs_projectile_horizontal_range_free_nu(size_t n, const double *theta, double v, double g, double *range);
+void gs_projectile_horizontal_range_free_nuf(size_t n, const float *theta, float v, float g, float *range);
 double gs_projectile_horizontal_range_drag(double theta, double v, double g, double k);
 void gs_projectile_horizontal_range_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_horizontal_range_drag_nu(size_t n, const double *theta, double v, double g, double k, double *range);
 float gs_projectile_horizontal_range_dragf(float theta, float v, float g, float k);
 void gs_projectile_horizontal_range_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
-void gs_projectile_horizontal_range_drag_nu(size_t n, const double *theta, double v, double g, double k, double *range);
+void gs_projectile_horizontal_range_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *range);
 double gs_projectile_horizontal_range(double theta, double v, double g, double k);
 void gs_projectile_horizontal_range_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range);
+void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, double g, double k, double *range);
 float gs_projectile_horizontal_rangef(float theta, float v, float g, float k);
 void gs_projectile_horizontal_range_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range);
-void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, double g, double k, double *range);
+void gs_projectile_horizontal_range_nuf(size_t n, const float *theta, float v, float g, float k, float *range);
 
 /* Position of a projectile launched from the origin, y up.
  *
@@ -359,19 +390,22 @@ void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, 
  */
 void gs_projectile_position_free(double t, double theta, double v, double g, double *x, double *y);
 void gs_projectile_position_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y);
+void gs_projectile_position_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y);
 void gs_projectile_position_freef(float t, float theta, float v, float g, float *x, float *y);
 void gs_projectile_position_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y);
-void gs_projectile_position_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y);
+void gs_projectile_position_free_nuf(size_t n, const float *t, const float *theta, float v, float g, float *x, float *y);
 void gs_projectile_position_drag(double t, double theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
+void gs_projectile_position_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position_dragf(float t, float theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_position_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
-void gs_projectile_position_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
+void gs_projectile_position_drag_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_position(double t, double theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_position_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y);
+void gs_projectile_position_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
 void gs_projectile_positionf(float t, float theta, float v, float g, float k, float *x, float *y);
 void gs_projectile_position_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y);
-void gs_projectile_position_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y);
+void gs_projectile_position_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y);
 
 /* Velocity of a projectile, y up.
  *
@@ -392,19 +426,22 @@ void gs_projectile_position_nu(size_t n, const double *t, const double *theta, d
  */
 void gs_projectile_velocity_free(double t, double theta, double v, double g, double *vx, double *vy);
 void gs_projectile_velocity_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy);
+void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy);
 void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy);
 void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy);
-void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy);
+void gs_projectile_velocity_free_nuf(size_t n, const float *t, const float *theta, float v, float g, float *vx, float *vy);
 void gs_projectile_velocity_drag(double t, double theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
-void gs_projectile_velocity_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
+void gs_projectile_velocity_drag_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_velocity(double t, double theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocity_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy);
+void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
 void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy);
 void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy);
-void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy);
+void gs_projectile_velocity_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy);
 
 /* Derivative of the range with respect to the elevation.
  *
@@ -423,19 +460,22 @@ void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, d
  */
 double gs_projectile_range_slope_theta_free(double theta, double v, double g);
 void gs_projectile_range_slope_theta_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_theta_free_nu(size_t n, const double *theta, double v, double g, double *slope);
 float gs_projectile_range_slope_theta_freef(float theta, float v, float g);
 void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope);
-void gs_projectile_range_slope_theta_free_nu(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_theta_free_nuf(size_t n, const float *theta, float v, float g, float *slope);
 double gs_projectile_range_slope_theta_drag(double theta, double v, double g, double k);
 void gs_projectile_range_slope_theta_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_theta_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
-void gs_projectile_range_slope_theta_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_theta_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *slope);
 double gs_projectile_range_slope_theta(double theta, double v, double g, double k);
 void gs_projectile_range_slope_theta_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
-void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_theta_nuf(size_t n, const float *theta, float v, float g, float k, float *slope);
 
 /* Derivative of the range with respect to the resistance coefficient; without resistance its limit.
  *
@@ -453,19 +493,22 @@ void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v,
  */
 double gs_projectile_range_slope_k_free(double theta, double v, double g);
 void gs_projectile_range_slope_k_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope);
+void gs_projectile_range_slope_k_free_nu(size_t n, const double *theta, double v, double g, double *slope);
 float gs_projectile_range_slope_k_freef(float theta, float v, float g);
 void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope);
-void gs_projectile_range_slope_k_free_nu(size_t n, const double *theta, double v, double g, double *slope);
+void gs_projectile_range_slope_k_free_nuf(size_t n, const float *theta, float v, float g, float *slope);
 double gs_projectile_range_slope_k_drag(double theta, double v, double g, double k);
 void gs_projectile_range_slope_k_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_k_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
-void gs_projectile_range_slope_k_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_k_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *slope);
 double gs_projectile_range_slope_k(double theta, double v, double g, double k);
 void gs_projectile_range_slope_k_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope);
+void gs_projectile_range_slope_k_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
 float gs_projectile_range_slope_kf(float theta, float v, float g, float k);
 void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope);
-void gs_projectile_range_slope_k_nu(size_t n, const double *theta, double v, double g, double k, double *slope);
+void gs_projectile_range_slope_k_nuf(size_t n, const float *theta, float v, float g, float k, float *slope);
 
 /* Greatest range, over all elevations.
  *
@@ -692,6 +735,10 @@ void gs_special_arctan_nf(size_t n, const float *x, float *value);
 
 #define GS_LANES 1
 #define GS_SUFFIX _plain
+/* The primitives in binary32, correctly rounded: by plain double arithmetic where that settles the rounding, else by pairs. */
+#ifndef GALILEO_SINGLES_H
+#define GALILEO_SINGLES_H
+
 /* Array loops over the kernels, for a source that has set GS_LANES and GS_SUFFIX. */
 #ifndef GALILEO_LOOPS_H
 #define GALILEO_LOOPS_H
@@ -6150,112 +6197,11 @@ static inline gs_v gs_arctan_value(gs_v x, gs_v *lo)
     }
 
 #endif
-
-#define GS_VECTORS "plain"
-#define GS_DECLARE(name)
-#define GS_CHOOSE(name) name##_plain
-#define GS_CHOOSE_SINGLE(name) name##_plain
-
-/* 'divide by zero' for a pole at 0. Kernels do not raise it: the lanes that a short array leaves empty hold 0. */
-#define GS_POLE_AT_0(n, x)                                                                                             \
-    do {                                                                                                               \
-        int found = 0;                                                                                                 \
-        for (size_t i = 0; i < (n); i++)                                                                               \
-            found |= (x)[i] == 0;                                                                                      \
-        if (found)                                                                                                     \
-            feraiseexcept(FE_DIVBYZERO);                                                                               \
-    } while (0)
-#define GS_NO_POLE(n, x) (void)0
-
-/* Kernels may raise 'underflow' in what they select away: it stays where it is due, a result being tiny. */
-static void gs_excuse(int before, size_t n, const double *value, int zero_is_tiny)
-{
-    if (before || !fetestexcept(FE_UNDERFLOW))
-        return;
-    for (size_t i = 0; i < n; i++)
-        if (isless(fabs(value[i]), DBL_MIN) && (value[i] != 0.0 || zero_is_tiny))
-            return;
-    feclearexcept(FE_UNDERFLOW);
-}
-static void gs_excuse_single(int before, size_t n, const float *value, int zero_is_tiny)
-{
-    if (before || !fetestexcept(FE_UNDERFLOW))
-        return;
-    for (size_t i = 0; i < n; i++)
-        if (isless(fabsf(value[i]), FLT_MIN) && (value[i] != 0.0f || zero_is_tiny))
-            return;
-    feclearexcept(FE_UNDERFLOW);
-}
-
-#define GS_PUBLIC(name, LOOK, zero)                                                                                    \
-    GS_DECLARE(gs_##name)                                                                                              \
-    GS_LOOPS(name)                                                                                                     \
-    void gs_special_##name##_n(size_t n, const double *x, double *value)                                               \
-    {                                                                                                                  \
-        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
-        LOOK(n, x);                                                                                                    \
-        GS_CHOOSE(gs_##name##_n)(n, x, value);                                                                         \
-        gs_excuse(before, n, value, zero);                                                                             \
-    }                                                                                                                  \
-    void gs_special_##name##_nf(size_t n, const float *x, float *value)                                                \
-    {                                                                                                                  \
-        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
-        LOOK(n, x);                                                                                                    \
-        GS_CHOOSE(gs_##name##_nf)(n, x, value);                                                                        \
-        gs_excuse_single(before, n, value, zero);                                                                      \
-    }                                                                                                                  \
-    double gs_special_##name(double x)                                                                                 \
-    {                                                                                                                  \
-        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
-        LOOK(1, &x);                                                                                                   \
-        GS_CHOOSE_SINGLE(gs_##name##_n)(1, &x, &x);                                                                    \
-        gs_excuse(before, 1, &x, zero);                                                                                \
-        return x;                                                                                                      \
-    }                                                                                                                  \
-    float gs_special_##name##f(float x)                                                                                \
-    {                                                                                                                  \
-        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
-        LOOK(1, &x);                                                                                                   \
-        GS_CHOOSE_SINGLE(gs_##name##_nf)(1, &x, &x);                                                                   \
-        gs_excuse_single(before, 1, &x, zero);                                                                         \
-        return x;                                                                                                      \
-    }
-
-const char *gs_vectors(void) { return GS_VECTORS; }
-
-GS_PUBLIC(phi1m, GS_NO_POLE, 0)
-GS_PUBLIC(phi2m, GS_NO_POLE, 0)
-GS_PUBLIC(descent_factor, GS_NO_POLE, 0)
-GS_PUBLIC(flight_factor, GS_NO_POLE, 0)
-GS_PUBLIC(range_factor, GS_NO_POLE, 0)
-GS_PUBLIC(best_sine, GS_NO_POLE, 0)
-GS_PUBLIC(best_angle, GS_NO_POLE, 0)
-GS_PUBLIC(max_range_factor, GS_NO_POLE, 0)
-GS_PUBLIC(w0_offset, GS_NO_POLE, 0)
-GS_PUBLIC(wm1_offset, GS_NO_POLE, 0)
-GS_PUBLIC(w0, GS_NO_POLE, 0)
-GS_PUBLIC(wm1, GS_POLE_AT_0, 0)
-GS_PUBLIC(exp_minus, GS_NO_POLE, 1)
-GS_PUBLIC(sin, GS_NO_POLE, 0)
-GS_PUBLIC(cos, GS_NO_POLE, 0)
-GS_PUBLIC(arctan, GS_NO_POLE, 0)
-#undef GS_SUFFIX
-#undef GS_DECLARED
-#undef GS_DECLARE
-#undef GS_CHOOSE
-#undef GS_CHOOSE_SINGLE
-#undef GS_VECTORS
-#undef GS_POLE_AT_0
-#undef GS_NO_POLE
-#undef GS_PUBLIC
-
-/* ---- lanes.c ---- */
-/* The papers' formulas on one number at a time in plain C99, and the choice of the version for this machine. */
-
-#define GS_LANES 1
-#define GS_SUFFIX _plain
-#ifndef GALILEO_FORMS_H
-#define GALILEO_FORMS_H
+/* The same operations as for pairs in plain double arithmetic, for results in binary32: no term of a formula over- or
+ * underflows, whatever finite floats the arguments are, unless the result does.
+ */
+#ifndef GALILEO_SINGLE_H
+#define GALILEO_SINGLE_H
 
 /* Arithmetic on pairs hi + lo, GS_LANES at a time, about 2^-100 relative, for arguments of ordinary size: there nothing
  * overflows or underflows, and no flag is raised but 'inexact'. Other lanes are told apart first and go another way.
@@ -8035,6 +7981,2533 @@ static inline gs_vp gs_vp_range_balance(gs_vp b, gs_mask *good)
 }
 
 #endif
+/* The primitives in plain double arithmetic, for results in binary32: their approximations within 3e-11. */
+#ifndef GALILEO_LEAN_H
+#define GALILEO_LEAN_H
+
+
+GS_TABLE(gs_phi1m_lean0) = {
+    0x1.0000000000000p+0, 0x1.9300b8f9f97c3p-1, 0x1.43a54e4e98864p-1, 0x1.092bec248c5fbp-1,
+    0x1.bab5557101f8dp-2, 0x1.5c8f2967008b9p-2, 0x1.0aa50e9c7373fp-2, 0x1.ab6d7a57a8bfep-3,
+    0x1.630a506a87c1dp-3, 0x1.1a483ac274a7cp-3, 0x1.bac4ac21e60b1p-4, 0x1.6c158b0e56bb6p-4,
+    0x1.3521ac08e65a5p-4, 0x1.f81f7f12dcb1fp-5, 0x1.948b0fc28988ap-5, 0x1.51d07eae04d8fp-5
+};
+GS_TABLE(gs_phi1m_lean1) = {
+    -0x1.ffffffffffffep-2, -0x1.71973b4e2f0e6p-2, -0x1.0e95393a61d5bp-2, -0x1.927a2648fcd2bp-3,
+    -0x1.3020005305b39p-3, -0x1.9bc71060278e5p-4, -0x1.02bbc17efe5a9p-4, -0x1.5904a13c96c10p-5,
+    -0x1.e4e66da59c614p-6, -0x1.35e0fc69d943ep-6, -0x1.7e981f6fcb1dap-7, -0x1.02ddcc65bcfb5p-7,
+    -0x1.75483e2eae4a4p-8, -0x1.f05dd893871c6p-9, -0x1.3fa399fc9de7ap-9, -0x1.bdc6974e9337dp-10
+};
+GS_TABLE(gs_phi1m_lean2) = {
+    0x1.5555555554ce3p-3, 0x1.d79fa589ca89cp-4, 0x1.48ea1e23ea64dp-4, 0x1.cffa71e705f5bp-5,
+    0x1.4b15566a13a49p-5, 0x1.9883919593572p-6, 0x1.c136cad64436ap-7, 0x1.04b317263a7a9p-7,
+    0x1.3f2f1026d88fbp-8, 0x1.4f8404e8d0458p-9, 0x1.4987c8f0eb414p-10, 0x1.6fdcc9d6d546cp-11,
+    0x1.c2afab4fcb8ccp-12, 0x1.e8b97a3f1ff7dp-13, 0x1.f91bc5ad49ea5p-14, 0x1.261ebd658e9b9p-14
+};
+GS_TABLE(gs_phi1m_lean3) = {
+    -0x1.55555554a3c50p-5, -0x1.cb5a873430573p-6, -0x1.371a1a3659a57p-6, -0x1.a8e2230ed4eabp-7,
+    -0x1.249c74870e099p-7, -0x1.5449d3f037d0fp-8, -0x1.56292d1e2edbcp-9, -0x1.677e8f5d928e8p-10,
+    -0x1.8bb6c47c938f8p-11, -0x1.611b06bc1e376p-12, -0x1.195e1dfcc40b7p-13, -0x1.04c86a8a2ede8p-14,
+    -0x1.0fed3c464abfbp-15, -0x1.e12d21ee6a34bp-17, -0x1.8f18ec150a8fep-18, -0x1.841e03dfdd78ap-19
+};
+GS_TABLE(gs_phi1m_lean4) = {
+    0x1.111110b820858p-7, 0x1.691903f3da612p-8, 0x1.dfb414df9e28bp-9, 0x1.40a150bf8491bp-9,
+    0x1.af556172e8029p-10, 0x1.e21a37452cb9bp-11, 0x1.c7f107acebf5bp-12, 0x1.be4e9843116c3p-13,
+    0x1.c5d298bf9396ep-14, 0x1.636555dbe317ap-15, 0x1.d829bca04f8a4p-17, 0x1.6fa8806928bfap-18,
+    0x1.479f0f714970bp-19, 0x1.d9a72551ac525p-21, 0x1.3b552764ffde0p-22, 0x1.0013c6a967676p-23
+};
+GS_TABLE(gs_phi1m_lean5) = {
+    -0x1.6c16959de1730p-10, -0x1.db7e313149028p-11, -0x1.3786099d350c8p-11, -0x1.9a3313afe2c02p-12,
+    -0x1.0f60ba9818962p-12, -0x1.26f9052c71d8ap-13, -0x1.0b21ce5c30e0cp-14, -0x1.f1042a4dc4d6fp-16,
+    -0x1.dc9f366c4ec15p-17, -0x1.515308aa7fb38p-18, -0x1.8111cea182a41p-20, -0x1.0040f245f931ep-21,
+    -0x1.8938d46369099p-23, -0x1.d1ccf0c0b6210p-25, -0x1.f23305916e524p-27, -0x1.51e38eb52d4d0p-28
+};
+GS_TABLE(gs_phi1m_lean6) = {
+    0x1.a00e4475e29c1p-13, 0x1.0d3037050f323p-13, 0x1.5d236eaaf1c3cp-14, 0x1.c6a13d9e4af50p-15,
+    0x1.292093bfca5f6p-15, 0x1.3c6e68c85a24cp-16, 0x1.159e968a25ba2p-17, 0x1.f18d44497088ep-19,
+    0x1.c8c2b8bfb610ap-20, 0x1.2b3445c6018adp-21, 0x1.2e0d8dbc59e46p-23, 0x1.5ea90bcdcbc34p-25,
+    0x1.d47f00ce77d73p-27, 0x1.c99c57a798ac6p-29, 0x1.89942a7c3e8c0p-31, 0x1.bddecda8fca13p-33
+};
+GS_TABLE(gs_phi1m_lean7) = {
+    -0x1.9e5a34fb16151p-16, -0x1.0ba995f57640bp-16, -0x1.586e9ee911251p-17, -0x1.bcad137f25ba6p-18,
+    -0x1.1fed579f2a45ep-18, -0x1.2f3c5776e16a6p-19, -0x1.03b38c1e86f99p-20, -0x1.c465f7be702fap-22,
+    -0x1.91b9b56249abbp-23, -0x1.f6f6a7efdac3fp-25, -0x1.cb42361d5f0d3p-27, -0x1.d9cdc85d1c0eap-29,
+    -0x1.16ce3c2170a0cp-30, -0x1.cf865f1119fb0p-33, -0x1.3dc911e8be4eap-35, -0x1.2abe9e50eeb02p-37
+};
+GS_TABLE(gs_phi1m_lean8) = {
+    0x1.4ecda9b0da862p-19, 0x1.d8c4dbfa73e68p-20, 0x1.2e6c7d60aeae5p-20, 0x1.83d1c1f60be82p-21,
+    0x1.f29377c96b8f8p-22, 0x1.0331ba818b754p-22, 0x1.b3d479e2bac51p-24, 0x1.737621b569ca5p-25,
+    0x1.4197c185570c4p-26, 0x1.7fd29eefef657p-28, 0x1.4491cef23e70bp-30, 0x1.3099c4a5ac1c9p-32,
+    0x1.41d00d7f44cbfp-34, 0x1.c331d6512e0aep-37, 0x1.f59170e6de50ap-40, 0x1.8a2eaa225fbdap-42
+};
+
+static inline gs_v gs_phi1m_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4095, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi1m_centre, i));
+    const gs_v q8 = gs_pick(gs_phi1m_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi1m_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi1m_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi1m_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi1m_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi1m_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi1m_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_phi1m_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_phi1m_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_phi1m_tail_lean0) = {
+    0x1.21fb78121f0bdp-5, 0x1.de5d6e3f8867fp-6, 0x1.83c977ab2beddp-6, 0x1.460cbc7f5cf9ap-6,
+    0x1.19453808ca29cp-6, 0x1.d272ca3fc5b1ap-7, 0x1.7beb3922e017cp-7, 0x1.40782d10e6566p-7,
+    0x1.151b9a3fdd5c9p-7, 0x1.ccb5c3b636e3ap-8, 0x1.781a71dc01782p-8, 0x1.3dc013dc013dcp-8,
+    0x1.131288ffbb3b6p-8, 0x1.c9e4b91ff8d87p-9, 0x1.7639604c03a79p-9, 0x1.3c6870791ffb1p-9
+};
+GS_TABLE(gs_phi1m_tail_lean1) = {
+    -0x1.4879bc1d61970p-10, -0x1.bef084dddc9e2p-11, -0x1.25b55f2d30ac6p-11, -0x1.9f4470b630fdep-12,
+    -0x1.350907ba757f0p-12, -0x1.a8f30ddd29447p-13, -0x1.19e929a6ad624p-13, -0x1.912ca9143161ap-14,
+    -0x1.2bf4bec8075edp-14, -0x1.9e8edc2c232b4p-15, -0x1.1446d897f4f73p-15, -0x1.8a65414c57720p-16,
+    -0x1.2790d3ace6e1ap-16, -0x1.998134a1273acp-17, -0x1.1185d91c440e0p-17, -0x1.871200464ee53p-18
+};
+GS_TABLE(gs_phi1m_tail_lean2) = {
+    0x1.741416c796071p-15, 0x1.a1941af864149p-16, 0x1.bce85394bcda9p-17, 0x1.0872e84113bc7p-17,
+    0x1.538a788f563eap-18, 0x1.83247d993342ep-19, 0x1.a25f389e50b57p-20, 0x1.f63426e7d4a9cp-21,
+    0x1.44b029fa9e706p-21, 0x1.750785c76f47cp-22, 0x1.95e49831e34d0p-23, 0x1.e9874c64f6501p-24,
+    0x1.3d95f9bdd00ebp-24, 0x1.6e3ac31409260p-25, 0x1.8fd6d8e00bc64p-26, 0x1.e359c377ce6e9p-27
+};
+GS_TABLE(gs_phi1m_tail_lean3) = {
+    -0x1.a5782d852d3dap-20, -0x1.862597dcbf73ep-21, -0x1.50f8b3f9d1226p-22, -0x1.50cf7e894d4d1p-23,
+    -0x1.750ece30b0a46p-24, -0x1.60b31ab3a52bcp-25, -0x1.3671b7fee707dp-26, -0x1.3a567afd19b54p-27,
+    -0x1.5f75a0af57674p-28, -0x1.4fa9456d6f627p-29, -0x1.2a28dc3c1b790p-30, -0x1.2fcdec95def77p-31,
+    -0x1.553f1ac014fcdp-32, -0x1.478721e8b8b48p-33, -0x1.243ec45c96c1bp-34, -0x1.2ab4010789529p-35
+};
+GS_TABLE(gs_phi1m_tail_lean4) = {
+    0x1.dd6aad73a9328p-25, 0x1.6c844a9d2fbc3p-26, 0x1.fe7128dce1c67p-28, 0x1.acf8fcdcb90f5p-29,
+    0x1.99e21ef9112fbp-30, 0x1.415216810b169p-31, 0x1.ccb79b13e3d92p-33, 0x1.897fa99bfaa08p-34,
+    0x1.7c702c0a1c948p-35, 0x1.2e093e05ca5b5p-36, 0x1.b60ad03aec7e4p-38, 0x1.7915eff8647f2p-39,
+    0x1.6eab7ecaa1b2fp-40, 0x1.24ea6e5e1a1e7p-41, 0x1.ab3532c74d4d9p-43, 0x1.71300da1cd6a3p-44
+};
+GS_TABLE(gs_phi1m_tail_lean5) = {
+    -0x1.0e62397e37445p-29, -0x1.5475cbbad9c0bp-31, -0x1.828db1e6aeff2p-33, -0x1.1128664d7c460p-34,
+    -0x1.c253a860a6f67p-36, -0x1.24a5da05ee2c7p-37, -0x1.55d26dc06f78ep-39, -0x1.ec9037629273bp-41,
+    -0x1.9bcaa0c426452p-42, -0x1.0fb4312315053p-43, -0x1.41bc7e9931ab7p-45, -0x1.d403ab9ea5601p-47,
+    -0x1.89f9462f16180p-48, -0x1.05e3eb9685e3dp-49, -0x1.38362803173ebp-51, -0x1.c846d14a1131dp-53
+};
+GS_TABLE(gs_phi1m_tail_lean6) = {
+    0x1.32467470ab0d5p-34, 0x1.3e1819da4483ep-36, 0x1.24c634f15ab53p-38, 0x1.5be7094d09426p-40,
+    0x1.eec796f03c636p-42, 0x1.0a9c8ff6d3847p-43, 0x1.fb489cf110489p-46, 0x1.344dbfc5859a7p-47,
+    0x1.bdbea671d1bf4p-49, 0x1.e8f8b2696d5d8p-51, 0x1.d8ae162e9039fp-53, 0x1.2273d9495276ap-54,
+    0x1.a7534cc180c5bp-56, 0x1.d46ddbeff17e6p-58, 0x1.c86517f4702fcp-60, 0x1.19f8c7c9a8acep-61
+};
+GS_TABLE(gs_phi1m_tail_lean7) = {
+    -0x1.5ee33daceea64p-39, -0x1.329b5bc5713cfp-41, -0x1.c49ed9b0eb965p-44, -0x1.c18223a8f05cep-46,
+    -0x1.12b99ecd62f93p-47, -0x1.f46251097ed95p-50, -0x1.7fd9757890492p-52, -0x1.8755bdfb57d5cp-54,
+    -0x1.e7849c36f9484p-56, -0x1.c4e13b7d9b957p-58, -0x1.61ef1d16c20bcp-60, -0x1.6d76348cdf27ep-62,
+    -0x1.cb86ddb557cbfp-64, -0x1.af0c22d910de2p-66, -0x1.53f78ef4afd3ep-68, -0x1.61404c299a957p-70
+};
+GS_TABLE(gs_phi1m_tail_lean8) = {
+    0x1.8d769bdd2c7c3p-44, 0x1.1e76fc3a259bdp-46, 0x1.56d02bb0fc7aap-49, 0x1.1e410b3f013b9p-51,
+    0x1.2dd80779487c4p-53, 0x1.c7ddab4eccd84p-56, 0x1.1cd3d19a04aa0p-58, 0x1.e9e2e28f23788p-61,
+    0x1.07db86e1ad585p-62, 0x1.9783222f56757p-65, 0x1.03fde1368c568p-67, 0x1.c59d9413b33cfp-70,
+    0x1.edc3259015458p-72, 0x1.817ee45d118b6p-74, 0x1.f0f7dcda154f5p-77, 0x1.b49b7b55908ebp-79
+};
+
+static inline gs_v gs_phi1m_tail_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4111, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi1m_tail_centre, i));
+    const gs_v q8 = gs_pick(gs_phi1m_tail_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi1m_tail_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi1m_tail_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi1m_tail_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi1m_tail_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi1m_tail_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi1m_tail_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_phi1m_tail_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_phi1m_tail_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_phi2m_lean0) = {
+    0x1.0000000000000p-1, 0x1.b46a36a5c3802p-2, 0x1.78b56362cef38p-2, 0x1.491ac5249a2b1p-2,
+    0x1.22a555477f039p-2, 0x1.eb3aca9dd10eep-3, 0x1.93ec3c795c067p-3, 0x1.552c52087e287p-3,
+    0x1.266d82b5d2211p-3, 0x1.e718366940ec3p-4, 0x1.8af1a833afc77p-4, 0x1.4bb9d18191e3fp-4,
+    0x1.1dcd2825f8467p-4, 0x1.d919a188af770p-5, 0x1.8090d622a3dffp-5, 0x1.43e249f38bad2p-5
+};
+GS_TABLE(gs_phi2m_lean1) = {
+    -0x1.5555555555555p-3, -0x1.0b8ed11294b0cp-3, -0x1.a880a8a1b34f6p-4, -0x1.54f9daaaf42b2p-4,
+    -0x1.152aaa3bf8110p-4, -0x1.9f0a8f2b0beebp-5, -0x1.24dc1d92fb69bp-5, -0x1.ad562b530e24dp-6,
+    -0x1.454ee5923b6c2p-6, -0x1.c3fff6659e784p-7, -0x1.2c362d34c317bp-7, -0x1.a9c4665641b7cp-8,
+    -0x1.3cf248c4d0b9dp-8, -0x1.b346a952f8e92p-9, -0x1.2011dda278efbp-9, -0x1.9902bfa211cc4p-10
+};
+GS_TABLE(gs_phi2m_lean2) = {
+    0x1.555555555523dp-5, 0x1.fc6f009b21dabp-6, 0x1.7e5a29f723aa1p-6, 0x1.22a1af3e832b6p-6,
+    0x1.be7ffc1bb8fb0p-7, 0x1.3298665d77a78p-7, 0x1.812fd2e96b6efp-8, 0x1.f78e8650be279p-9,
+    0x1.55950d4381c8ap-9, 0x1.9633d0bd25f5fp-10, 0x1.c00900272c6dep-11, 0x1.0e11a2eba9ff4p-11,
+    0x1.5cb6b534ecaf2p-12, 0x1.8e810d7922602p-13, 0x1.ae471b9636b7fp-14, 0x1.01bbed641af9cp-14
+};
+GS_TABLE(gs_phi2m_lean3) = {
+    -0x1.11111110d0040p-7, -0x1.89060ce8f4aabp-8, -0x1.1d003f1292122p-8, -0x1.a10349339cdc8p-9,
+    -0x1.33c70f30463afp-9, -0x1.8cf2dfa5a9fcbp-10, -0x1.c8c2a3d6b9d07p-11, -0x1.10ae85f07cca2p-11,
+    -0x1.519aefc854eabp-12, -0x1.5ed0a7c832a43p-13, -0x1.46a757aabb687p-14, -0x1.51bc926e29a2cp-15,
+    -0x1.7c0aefbd0b997p-16, -0x1.6ac3463e00030p-17, -0x1.40439ecccda5bp-18, -0x1.4419114357858p-19
+};
+GS_TABLE(gs_phi2m_lean4) = {
+    0x1.6c16c12aee7efp-10, 0x1.ff5063367cc29p-11, 0x1.6931a51617ee5p-11, 0x1.01054135961cbp-11,
+    0x1.707179db48e6bp-12, 0x1.c58522f1ad740p-13, 0x1.e815999a2a503p-14, 0x1.0f55aef20e346p-14,
+    0x1.37dc39df37adfp-15, 0x1.2110e813020fbp-16, 0x1.ceeeeb6585fe9p-18, 0x1.9ef99cfbc2317p-19,
+    0x1.99779cbfdc47bp-20, 0x1.4808b12453ee1p-21, 0x1.daf3d449778dfp-23, 0x1.968e4b03a2630p-24
+};
+GS_TABLE(gs_phi2m_lean5) = {
+    -0x1.a019e18a99355p-13, -0x1.1ed7f9a4bd10fp-13, -0x1.8d5bfdd0b5011p-14, -0x1.14e8c42ddfabap-14,
+    -0x1.8442992166484p-15, -0x1.cd3576d7281eep-16, -0x1.d759ff4db6a82p-17, -0x1.ef6b673d7b760p-18,
+    -0x1.0c1b6788658bap-18, -0x1.c3c2517f377c0p-20, -0x1.3d167ac90acd4p-21, -0x1.f30c154be85f2p-23,
+    -0x1.b31505aef2b67p-24, -0x1.263d56167c3ffp-25, -0x1.5e9f950234c32p-27, -0x1.fc95d5bc9e707p-29
+};
+GS_TABLE(gs_phi2m_lean6) = {
+    0x1.a011697e95e19p-16, 0x1.1ac39cdda1246p-16, 0x1.81c4792e19eacp-17, 0x1.0880c74e8bb09p-17,
+    0x1.6c8815866fa3bp-18, 0x1.a52bcbcdfa1d5p-19, 0x1.9d4b8a29bdb77p-20, 0x1.9f66596d12da3p-21,
+    0x1.ac4a5cc9a709bp-22, 0x1.4d6a21c6db452p-23, 0x1.a1dbd55d53989p-25, 0x1.2489d42825fecp-26,
+    0x1.c6aa71016047dp-28, 0x1.058d5b2f459ebp-29, 0x1.019989c2b7fb9p-31, 0x1.3d2cce7033e49p-33
+};
+GS_TABLE(gs_phi2m_lean7) = {
+    -0x1.7096a01d2554dp-19, -0x1.f1983a66878cep-20, -0x1.4f4e9edde14b2p-20, -0x1.c5e3af77cfb6ap-21,
+    -0x1.347fded79fb05p-21, -0x1.5dd36ea7526b4p-22, -0x1.4c3d558edcde5p-23, -0x1.420d64cc853b6p-24,
+    -0x1.3f1d600f90e31p-25, -0x1.d63a61bb57917p-27, -0x1.0afaa1b2a2933p-28, -0x1.50734b6f3128ap-30,
+    -0x1.d5da6a51fa639p-32, -0x1.d82da4dfd01d5p-34, -0x1.7f697d1b99dcbp-36, -0x1.8fa408f680d01p-38
+};
+GS_TABLE(gs_phi2m_lean8) = {
+    0x1.0e47b3625674cp-22, 0x1.8a21a37a45daap-23, 0x1.07110be994e64p-23, 0x1.605f9d5ebef81p-24,
+    0x1.d9b117974f44ap-25, 0x1.07a7dd852b85cp-25, 0x1.e7c8f18eecbaep-27, 0x1.cb30432e87df2p-28,
+    0x1.b889bb4546935p-29, 0x1.331baa38b0689p-30, 0x1.41727903966cfp-32, 0x1.723469a1cfd4ap-34,
+    0x1.d638086336919p-36, 0x1.9961e28b7c6a5p-38, 0x1.162c8fd7d6e34p-40, 0x1.eed9e3676561ep-43
+};
+
+static inline gs_v gs_phi2m_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4095, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi2m_centre, i));
+    const gs_v q8 = gs_pick(gs_phi2m_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi2m_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi2m_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi2m_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi2m_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi2m_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi2m_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_phi2m_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_phi2m_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_phi2m_tail_lean0) = {
+    0x1.17b7aa313301ep-5, 0x1.d065ea184e3c8p-6, 0x1.7a9bccb1b947ap-6, 0x1.3f8faabc829b8p-6,
+    0x1.147113e9dff68p-6, 0x1.cbcefe0833d90p-7, 0x1.7783947c41ab2p-7, 0x1.3d55d3bebd472p-7,
+    0x1.12c3b0c24d25ap-7, 0x1.c978a5fdd1b92p-8, 0x1.75f1e42acfe07p-8, 0x1.3c35ae9ab4972p-8,
+    0x1.11eaf82c0e41dp-8, 0x1.c84b37eb51a1dp-9, 0x1.7527da72e6973p-9, 0x1.3ba4e778fcadbp-9
+};
+GS_TABLE(gs_phi2m_tail_lean1) = {
+    -0x1.31387ab0f133dp-10, -0x1.a4d743308d5dap-11, -0x1.17ce1c90c25c9p-11, -0x1.8ebd423230243p-12,
+    -0x1.2a6cb3f5fe031p-12, -0x1.9cd9e9f1360f7p-13, -0x1.135facc44a48cp-13, -0x1.8953d87898d44p-14,
+    -0x1.26e1fe201e41dp-14, -0x1.98babe1562e5ap-15, -0x1.111b0f679b19ep-15, -0x1.869232b3909a4p-16,
+    -0x1.2515a7b96be24p-16, -0x1.96a4bf1b2ad2ep-17, -0x1.0ff6024368b29p-17, -0x1.852ea682d88f3p-18
+};
+GS_TABLE(gs_phi2m_tail_lean2) = {
+    0x1.4c90d2aab5d24p-15, 0x1.7d0097ae84e4ep-16, 0x1.9d51036c35a3ep-17, 0x1.f1525ce5734b8p-18,
+    0x1.420dc6f3a4702p-18, 0x1.729c197d8e5b7p-19, 0x1.93d1e448cc494p-20, 0x1.e778193ef310cp-21,
+    0x1.3c73683cca707p-21, 0x1.6d298ea81cd1bp-22, 0x1.8ee7a32a1b7e1p-23, 0x1.e26878e5d5f92p-24,
+    0x1.39963c707a91dp-24, 0x1.6a642deb1021cp-25, 0x1.8c6a1ca2f3482p-26, 0x1.dfd9a77aa75bap-27
+};
+GS_TABLE(gs_phi2m_tail_lean3) = {
+    -0x1.69cad77cc92fep-20, -0x1.589508fde4077p-21, -0x1.3111a055d8041p-22, -0x1.35ffee698bc82p-23,
+    -0x1.5b70ac20ffdfap-24, -0x1.4c9df732fb3cbp-25, -0x1.280bfab763f32p-26, -0x1.2e0a7d8e5ac7ep-27,
+    -0x1.53921f41660b8p-28, -0x1.4638fa9353b66p-29, -0x1.2350b0c997d0ap-30, -0x1.29e994c692f3cp-31,
+    -0x1.4f846cbea2688p-32, -0x1.42f377c1f7703p-33, -0x1.20e859df91f2cp-34, -0x1.27d1a0e4ea8e6p-35
+};
+GS_TABLE(gs_phi2m_tail_lean4) = {
+    0x1.88eb0dab3d0dfp-25, 0x1.374d7478816fcp-26, 0x1.c208dfbaea048p-28, 0x1.8249ec359dca7p-29,
+    0x1.76b33e3c8c338p-30, 0x1.2a73698a71effp-31, 0x1.b2024af3bbfc3p-33, 0x1.7641b66e54e73p-34,
+    0x1.6c5a1c0c40c11p-35, 0x1.236b71e8dbacfp-36, 0x1.a9790e494195bp-38, 0x1.6ff1b86df9de3p-39,
+    0x1.66f98ee875f48p-40, 0x1.1fcc9f7b48120p-41, 0x1.a51bf3f9afab5p-43, 0x1.6cbb4ac455793p-44
+};
+GS_TABLE(gs_phi2m_tail_lean5) = {
+    -0x1.a9eadf3956b37p-30, -0x1.18d49b1703853p-31, -0x1.4ba9d5f384542p-33, -0x1.e1163fa3e2a7bp-35,
+    -0x1.93f13f5870343p-36, -0x1.0ba86ebb166e2p-37, -0x1.3e0b8b87db62bp-39, -0x1.cfa93eba22d38p-41,
+    -0x1.86e5d1ad5eec0p-42, -0x1.043ee96a80fe0p-43, -0x1.36a8a59ec82ccp-45, -0x1.c6666272027c1p-47,
+    -0x1.800d6176e5374p-48, -0x1.0066e3a123aafp-49, -0x1.32dd14e6320dcp-51, -0x1.c1ab0e44818cdp-53
+};
+GS_TABLE(gs_phi2m_tail_lean6) = {
+    0x1.ccc5a0c9f6f32p-35, 0x1.fa304f023aa29p-37, 0x1.e88ad17db076ep-39, 0x1.2b70bc1551bedp-40,
+    0x1.b3528b85b2470p-42, 0x1.e0197bddcd35ep-44, 0x1.d21da5ecab0cdp-46, 0x1.1f32b7d9d9a7dp-47,
+    0x1.a35bd2f1e87e2p-49, 0x1.d0e9d8cd5359dp-51, 0x1.c5b15a08f63f5p-53, 0x1.1898589714121p-54,
+    0x1.9ae351087a2f3p-56, 0x1.c8f9d416a9d33p-58, 0x1.bf462e3262cbcp-60, 0x1.15350b4531d5dp-61
+};
+GS_TABLE(gs_phi2m_tail_lean7) = {
+    -0x1.f67b36449bf5ap-40, -0x1.d4defe18b9f1ep-42, -0x1.6e7b70b5d0141p-44, -0x1.79b0449d0d94ep-46,
+    -0x1.d9c9cf9ad0126p-48, -0x1.bafb25e552695p-50, -0x1.5c129645a2427p-52, -0x1.689c72af7b1ddp-54,
+    -0x1.c6735b3fdc70ep-56, -0x1.ab3a3107274d8p-58, -0x1.519b6453ad716p-60, -0x1.5f3cf0dc88415p-62,
+    -0x1.bc0eb67ca3853p-64, -0x1.a2ea494cc53f8p-66, -0x1.4c2a4b023ff5ep-68, -0x1.5a67facded6a8p-70
+};
+GS_TABLE(gs_phi2m_tail_lean8) = {
+    0x1.0e858cc224ea6p-44, 0x1.a55768f3f0ac0p-47, 0x1.0d7558e067261p-49, 0x1.d5a4992b69212p-52,
+    0x1.fe31820e4ee52p-54, 0x1.8d14aa900691bp-56, 0x1.fdf48a034e30ap-59, 0x1.bea25504d5dccp-61,
+    0x1.e7755dc9284d6p-63, 0x1.7d909274c8534p-65, 0x1.ed032bce6b05cp-68, 0x1.b1c2f6bb5e171p-70,
+    0x1.db116852d175ep-72, 0x1.754c8040c155bp-74, 0x1.e424ff3316b8ep-77, 0x1.ab17daffdbb45p-79
+};
+
+static inline gs_v gs_phi2m_tail_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.c000000000000p+0));
+    const gs_index i = gs_piece(u, 4111, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_phi2m_tail_centre, i));
+    const gs_v q8 = gs_pick(gs_phi2m_tail_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_phi2m_tail_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_phi2m_tail_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_phi2m_tail_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_phi2m_tail_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_phi2m_tail_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_phi2m_tail_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_phi2m_tail_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_phi2m_tail_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_descent_factor_lean0) = {
+    0x1.0000000000000p+0, 0x1.08419e26f27d5p+0, 0x1.0e0ea66a4615ap+0, 0x1.173b9590ef607p+0,
+    0x1.2469f1d3c84c3p+0, 0x1.32c3297f615bap+0, 0x1.425d449f52bf2p+0, 0x1.5c44acda700d7p+0,
+    0x1.83a57c0da0829p+0, 0x1.b05da87b3cdf2p+0, 0x1.e1b0e8ff507f8p+0, 0x1.19068cef87728p+1,
+    0x1.52419fbacf5cep+1, 0x1.8dc9882744674p+1, 0x1.ca9e4129e1fadp+1, 0x1.13a44c6af146ep+2
+};
+GS_TABLE(gs_descent_factor_lean1) = {
+    0x1.5555555555555p-3, 0x1.6b7a74eff29bbp-3, 0x1.7b29887e96e8bp-3, 0x1.94197fbdfb10fp-3,
+    0x1.b7fd3a599a4ddp-3, 0x1.dec73a923479ep-3, 0x1.04114f2a84681p-2, 0x1.24cd46d04d543p-2,
+    0x1.51074e50391f5p-2, 0x1.7976219e14113p-2, 0x1.9a4e26c33380dp-2, 0x1.bc06636d8d683p-2,
+    0x1.d4ea4f181fb8bp-2, 0x1.e25510ebdbf67p-2, 0x1.ea55d01a14b20p-2, 0x1.f1669809a9805p-2
+};
+GS_TABLE(gs_descent_factor_lean2) = {
+    0x1.c71c71c71cef7p-6, 0x1.e9f9097fd6a7ep-6, 0x1.00ee81cf49ac5p-5, 0x1.131619f159348p-5,
+    0x1.2aff8ee4713e9p-5, 0x1.41311aa35916bp-5, 0x1.53ba824895abep-5, 0x1.63bf6b554ca32p-5,
+    0x1.591d0199fbf29p-5, 0x1.28731f97de7f1p-5, 0x1.c7e0137d41bd6p-6, 0x1.12af287ef15c5p-6,
+    0x1.1a9e38b0e6368p-7, 0x1.432fbe526e206p-8, 0x1.935bebe28d414p-9, 0x1.be41fdb9adffdp-10
+};
+GS_TABLE(gs_descent_factor_lean3) = {
+    0x1.e573ac8e22edep-9, 0x1.f9076fe0f4e2dp-9, 0x1.00cbd7383d8f9p-8, 0x1.028ab4495859ap-8,
+    0x1.f1e840992f3b1p-9, 0x1.ba137e9f75909p-9, 0x1.54b1b8a1556d6p-9, 0x1.867cf1f80e8a9p-11,
+    -0x1.4b4f5a25a3d73p-9, -0x1.4f8e13df17958p-8, -0x1.73dfeefa4d832p-8, -0x1.010053d70824ap-8,
+    -0x1.cd7a43e472395p-10, -0x1.b80d227f4c9f2p-11, -0x1.d55cf5ab1f8b0p-12, -0x1.aa46ad965e60cp-13
+};
+GS_TABLE(gs_descent_factor_lean4) = {
+    0x1.e573b29e7fd1bp-13, 0x1.5339aa0a42897p-13, 0x1.9675e3c7c9636p-14, -0x1.129751438095fp-15,
+    -0x1.1e7347c71529fp-12, -0x1.359e0aedefa36p-11, -0x1.f8402ec729ca4p-11, -0x1.8566085dee1d5p-10,
+    -0x1.abf9899c92fd8p-10, -0x1.b298b9bd66e6ep-11, 0x1.d67b546fd61acp-13, 0x1.747da7d773f23p-11,
+    0x1.7105f774581bap-12, 0x1.2b6c49e69457cp-13, 0x1.1112ccd42b078p-14, 0x1.97152744f296cp-16
+};
+GS_TABLE(gs_descent_factor_lean5) = {
+    -0x1.ed2a890ae4c0ep-15, -0x1.7e7af7c26482cp-14, -0x1.ea16603ee8d85p-14, -0x1.50eda87f3b6a3p-13,
+    -0x1.d65f1fac81e9bp-13, -0x1.263606642a273p-12, -0x1.40a8d7f8d4b6fp-12, -0x1.d491dbf6e953ap-13,
+    0x1.2677e51d767e6p-13, 0x1.d420be432f413p-12, 0x1.5c06a7c7d16c9p-12, -0x1.f0b88eb4eb447p-16,
+    -0x1.107034867f19fp-14, -0x1.9652ca461a59bp-16, -0x1.3dbfa065f3f55p-17, -0x1.84dae4af1666dp-19
+};
+GS_TABLE(gs_descent_factor_lean6) = {
+    -0x1.ac36f93a42a54p-16, -0x1.0d1b788fe793cp-15, -0x1.3036fb9d46bc9p-15, -0x1.597f4a5593b4cp-15,
+    -0x1.6002fcf241315p-15, -0x1.f9859a95863b1p-16, 0x1.014a72a29a130p-22, 0x1.43c419e71f8a6p-14,
+    0x1.286ba46f30b6ep-13, 0x1.20ff6ff76871ep-15, -0x1.75f2207814464p-14, -0x1.685851bd0614ep-15,
+    0x1.20d471f902a72p-17, 0x1.12d0d8cef5819p-18, 0x1.759501960232ap-20, 0x1.7e5888255683cp-22
+};
+GS_TABLE(gs_descent_factor_lean7) = {
+    -0x1.4e53d45a8ebb0p-18, -0x1.4cdf728d6dbf1p-18, -0x1.2fe199441b41ap-18, -0x1.727859b27fea4p-19,
+    0x1.4e1652d6ac5c9p-19, 0x1.8680da89ab6e2p-17, 0x1.8450b9370b62dp-16, 0x1.0b35fbaffdc09p-15,
+    -0x1.3d3856a1287f3p-18, -0x1.888a3e93d6b3ep-15, -0x1.f22f13a84a3eep-17, 0x1.17a7bea3ebf8dp-16,
+    0x1.40266d0c9a8b3p-22, -0x1.5a7e33baa11abp-21, -0x1.b20b379811c3cp-23, -0x1.6d39bb23ee29fp-25
+};
+
+static inline gs_v gs_descent_factor_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.4000000000000p-1));
+    const gs_index i = gs_piece(u, 4089, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_descent_factor_centre, i));
+    const gs_v q7 = gs_pick(gs_descent_factor_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_descent_factor_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_descent_factor_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_descent_factor_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_descent_factor_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_descent_factor_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_descent_factor_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_descent_factor_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_flight_factor_lean0) = {
+    0x1.0000000000000p+0, 0x1.cc984a98863f2p-1, 0x1.b40dc266739a2p-1, 0x1.a067e9091713dp-1,
+    0x1.8941ce2c64e25p-1, 0x1.72474a4528b73p-1, 0x1.6130815ba1e0dp-1, 0x1.540b06a25919bp-1,
+    0x1.4549df6beba4cp-1, 0x1.379497341c568p-1, 0x1.2e1609a23c530p-1, 0x1.273876acb52a2p-1,
+    0x1.1ff6e420637afp-1, 0x1.1998655083cc7p-1, 0x1.15552c3ffae10p-1, 0x1.12491f1297d1dp-1
+};
+GS_TABLE(gs_flight_factor_lean1) = {
+    -0x1.555555551e4dcp-2, -0x1.ba28e94244fa3p-3, -0x1.5cf9cd74d3b92p-3, -0x1.1b4cf7e2d5635p-3,
+    -0x1.ae8876178c56cp-4, -0x1.39d4f6afd669cp-4, -0x1.dc04099b668d1p-5, -0x1.736334b4833bbp-5,
+    -0x1.0a1d774d4b320p-5, -0x1.682ca35c9b04ep-6, -0x1.ff265aadb1f64p-7, -0x1.7908b7c97454fp-7,
+    -0x1.fb60b7492be4dp-8, -0x1.4712829c0e8fap-8, -0x1.c6f318b80c50fp-9, -0x1.4e58840bee749p-9
+};
+GS_TABLE(gs_flight_factor_lean2) = {
+    0x1.c71c70ea9b395p-3, 0x1.c1390707da636p-4, 0x1.34b3490b75442p-4, 0x1.be725e24c6186p-5,
+    0x1.261bf07f6f226p-5, 0x1.710322b85b4f4p-6, 0x1.f0e424a444f5bp-7, 0x1.5f68063f5dd39p-7,
+    0x1.bd96028811dc3p-8, 0x1.06e0931882e19p-8, 0x1.49c7cce472c4bp-9, 0x1.b0d95983d0da0p-10,
+    0x1.ed291a10f206ap-11, 0x1.03afa932729e4p-11, 0x1.2ec1aacc1ec4ep-12, 0x1.7df5e47cc9882p-13
+};
+GS_TABLE(gs_flight_factor_lean3) = {
+    -0x1.4dbf3da2ff131p-3, -0x1.e6eb545e0587ap-5, -0x1.1db84c4abebd1p-5, -0x1.692e23c16488fp-6,
+    -0x1.918fea9d90856p-7, -0x1.a39e05d2dc964p-8, -0x1.e7f40ef8923c9p-9, -0x1.323df4a01278bp-9,
+    -0x1.5135ca76e30eep-10, -0x1.59cb7fce21ff2p-11, -0x1.84bf2fa8b36afp-12, -0x1.cf7343b1040c5p-13,
+    -0x1.cc8333ad051bcp-14, -0x1.9624c9e7f8e2dp-15, -0x1.910a917aac737p-16, -0x1.b3cb0a7811649p-17
+};
+GS_TABLE(gs_flight_factor_lean4) = {
+    0x1.06eab4a0b4317p-3, 0x1.19c85051e3a36p-5, 0x1.1941fbe81a7cap-6, 0x1.356c3dc7d192fp-7,
+    0x1.200bfb3d479cbp-8, 0x1.ee9a3b930ce6fp-10, 0x1.e80e2021e7957p-11, 0x1.0a4d6d88bd358p-11,
+    0x1.ed3846f87b2bfp-13, 0x1.a9100570bc1bcp-14, 0x1.a61548e4ee41cp-15, 0x1.ca5a38c8710d1p-16,
+    0x1.9590211267a59p-17, 0x1.3484fd8fdd2d8p-18, 0x1.069e49815db2fp-19, 0x1.ef5c5d1405d6ep-21
+};
+GS_TABLE(gs_flight_factor_lean5) = {
+    -0x1.b043fcbe756b2p-4, -0x1.544eb7991955ep-6, -0x1.20a1e95b0defcp-7, -0x1.1437f34c2d325p-8,
+    -0x1.ae821cc3edab8p-10, -0x1.2fd1d1a33c509p-11, -0x1.fc88595e9a331p-13, -0x1.e0ccda24af2f0p-14,
+    -0x1.7131c3eaa24a1p-15, -0x1.0299ae1680753p-16, -0x1.b5eb2d9ac743bp-18, -0x1.a81e44d160c2cp-19,
+    -0x1.4daaa5e64b77cp-20, -0x1.c07b7e71f6cbep-22, -0x1.50a54af473112p-23, -0x1.1724b8d625117p-24
+};
+GS_TABLE(gs_flight_factor_lean6) = {
+    0x1.65d04b4b41979p-4, 0x1.a6fbc08266ca8p-7, 0x1.3089a86a922d6p-8, 0x1.faa30a4a13318p-10,
+    0x1.4a5215c0ecbdep-11, 0x1.7f4c73a91c530p-13, 0x1.109a3423e780cp-14, 0x1.c04039eeb0c10p-16,
+    0x1.1f2221f65a41bp-17, 0x1.459660a1b194ep-19, 0x1.c9b884fbf94f3p-21, 0x1.7d46f4a2da700p-22,
+    0x1.02431ea3dc2e7p-23, 0x1.344f07a4a8e9ap-25, 0x1.a15720b5a12b7p-27, 0x1.35a2a78a3257cp-28
+};
+GS_TABLE(gs_flight_factor_lean7) = {
+    -0x1.09dedd5e73a18p-4, -0x1.107c1e6ef4d1ep-7, -0x1.4b6de60cc7234p-9, -0x1.ddaccab705a9ap-11,
+    -0x1.0826afa792c07p-12, -0x1.f3a8f5633bd9ap-15, -0x1.2c76157af7637p-16, -0x1.acad705efe5f3p-18,
+    -0x1.d382ee64db165p-20, -0x1.b03e27f890fd9p-22, -0x1.f9209defdcd03p-24, -0x1.6131469356c43p-25,
+    -0x1.8b7f561770930p-27, -0x1.94e46588636dbp-29, -0x1.f3cec6b544d2ep-31, -0x1.51dfdbbf4510fp-32
+};
+GS_TABLE(gs_flight_factor_lean8) = {
+    0x1.efffb2a781497p-6, 0x1.5f94715404860p-8, 0x1.6a89c6544b48bp-10, 0x1.c5a60c87073e8p-12,
+    0x1.a345a0981b3bbp-14, 0x1.4551156654195p-16, 0x1.4bd6b8aa3dcf1p-18, 0x1.9b4182d8cb056p-20,
+    0x1.7794474059abbp-22, 0x1.1f1ac7aea15dap-24, 0x1.1e0927455ac6ap-26, 0x1.557fa2174bb4fp-28,
+    0x1.2d8d706c55b1bp-30, 0x1.f428f39c2993cp-33, 0x1.188ef15d1984fp-34, 0x1.602070fc7b6bbp-36
+};
+
+static inline gs_v gs_flight_factor_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
+    const gs_v q8 = gs_pick(gs_flight_factor_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_factor_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_factor_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_factor_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_factor_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_factor_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_factor_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_flight_factor_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_flight_factor_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_flight_tail_lean0) = {
+    0x1.0f0f0ec9ba6b5p-1, 0x1.0c30c30aeca67p-1, 0x1.0a3d70a3d09d4p-1, 0x1.08d3dcb08cfb6p-1,
+    0x1.07507507491fdp-1, 0x1.05f417d05e1dcp-1, 0x1.0505050504c68p-1, 0x1.0456c797dd390p-1,
+    0x1.039b0ad11d39ep-1, 0x1.02f149902e913p-1, 0x1.027c45979c788p-1, 0x1.0226b90226b14p-1,
+    0x1.01ca4b30546acp-1, 0x1.01767dce430c3p-1, 0x1.013c995a47ad1p-1, 0x1.0112358e75cf4p-1
+};
+GS_TABLE(gs_flight_tail_lean1) = {
+    -0x1.c588c215c2b6ap-10, -0x1.29372337399c1p-10, -0x1.a36e2e9a44b2cp-11, -0x1.37b48247ffef8p-11,
+    -0x1.abfd7e0215612p-12, -0x1.1b8d5c58f3ab5p-12, -0x1.9324b647c5cecp-13, -0x1.2d3a7749026efp-13,
+    -0x1.a004e00d2c202p-14, -0x1.15123aeae0114p-14, -0x1.8b5a770f34824p-15, -0x1.282fdebc9b8d3p-15,
+    -0x1.9a388f830f006p-16, -0x1.11e9ea3fab4f7p-16, -0x1.878af2be0da92p-17, -0x1.25b6b0287fc02p-17
+};
+GS_TABLE(gs_flight_tail_lean2) = {
+    0x1.aad74a0d5addep-14, 0x1.c4e62f2234d5fp-15, 0x1.0c6f7a7a8e7a0p-15, 0x1.57f3528d83c10p-16,
+    0x1.874e38bacad43p-17, 0x1.a607ff1f5d0c8p-18, 0x1.f9e7cd996c6d7p-19, 0x1.46c1979d1b60dp-19,
+    0x1.7700d6dc25d6bp-20, 0x1.97a522e1c165cp-21, 0x1.eb501e71f043fp-22, 0x1.3e96734ba6157p-22,
+    0x1.6f30e27e1dcedp-23, 0x1.90b25c08e6a7bp-24, 0x1.e43a117891123p-25, 0x1.3a9afb48306cdp-25
+};
+GS_TABLE(gs_flight_tail_lean3) = {
+    -0x1.91a852fe7c3d8p-18, -0x1.59102ded31cc9p-19, -0x1.5798e7ccf0765p-20, -0x1.7b8814376f641p-21,
+    -0x1.65c3dc18295dap-22, -0x1.3a11dba045301p-23, -0x1.3d6e4eceb276ep-24, -0x1.62728a6dace28p-25,
+    -0x1.5207f7c2d663cp-26, -0x1.2be077d235fe5p-27, -0x1.314826cd02a68p-28, -0x1.56aebc8d9afb1p-29,
+    -0x1.48aca6ee33be8p-30, -0x1.2514be32656a8p-31, -0x1.2b6cdf84adcd7p-32, -0x1.50fbb21c0d4f0p-33
+};
+GS_TABLE(gs_flight_tail_lean4) = {
+    0x1.79a96ce52bb14p-22, 0x1.06de03608a712p-23, 0x1.b7c7eacc8c404p-25, 0x1.a2c80daa7ae09p-26,
+    0x1.470723e61b7a0p-27, 0x1.d3687c04abca2p-29, 0x1.8e535895982b2p-30, 0x1.80799fcb8c51cp-31,
+    0x1.30a4214d17477p-32, 0x1.b92871e0be0cdp-34, 0x1.7b5ca60760800p-35, 0x1.709719c0e590dp-36,
+    0x1.2623944287f62p-37, 0x1.acb295715a03ep-39, 0x1.724979ba36dc2p-40, 0x1.68f18cfd99686p-41
+};
+GS_TABLE(gs_flight_tail_lean5) = {
+    -0x1.629de2b715582p-26, -0x1.907ecb590dd8ap-28, -0x1.197514d706f25p-29, -0x1.ce1a7ea08fb09p-31,
+    -0x1.2aff36b5d1eeep-32, -0x1.5bd6afa43385cp-34, -0x1.f3dc0ac5c3f82p-36, -0x1.a10ec75ef7ab3p-37,
+    -0x1.129b28d5b73ccp-38, -0x1.4487aefd9a850p-40, -0x1.d770a68f618dap-42, -0x1.8c7780cf7c4e4p-43,
+    -0x1.0749059a6ef56p-44, -0x1.398fc9777ae42p-46, -0x1.c9f082c1314bap-48, -0x1.829e0bc5bad03p-49
+};
+GS_TABLE(gs_flight_tail_lean6) = {
+    0x1.54bdf5c83cb24p-30, 0x1.3694a3349db6bp-32, 0x1.6cebefc06f424p-34, 0x1.0166d0c46e210p-35,
+    0x1.18b382cb56caap-37, 0x1.076a5d4795a48p-39, 0x1.3d8b4982512bfp-41, 0x1.c89958c072636p-43,
+    0x1.fbf66bbcd46f7p-45, 0x1.e5aed08f632c5p-47, 0x1.2882d6ea3d1c9p-48, 0x1.ae576d552a044p-50,
+    0x1.e370ad354cea5p-52, 0x1.d27eb5adc4520p-54, 0x1.1e9846137aa56p-55, 0x1.a1dce27b41786p-57
+};
+GS_TABLE(gs_flight_tail_lean7) = {
+    -0x1.3bfdf3083dd69p-34, -0x1.d88016a0770a8p-37, -0x1.d30a32a92975bp-39, -0x1.1c06ef0635bc4p-40,
+    -0x1.00a41db3bf2f3p-42, -0x1.880f6d0fba1b2p-45, -0x1.8e7c987b604eap-47, -0x1.ef4b3938e4378p-49,
+    -0x1.c9e1bb41a6406p-51, -0x1.6548b0f6b8c56p-53, -0x1.707ad46633171p-55, -0x1.cee36ad860d32p-57,
+    -0x1.b0bac995c05f2p-59, -0x1.55352e9393fbap-61, -0x1.626fa493c2f6ap-63, -0x1.bf95d5aba7999p-65
+};
+
+static inline gs_v gs_flight_tail_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4108, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_flight_tail_centre, i));
+    const gs_v q7 = gs_pick(gs_flight_tail_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_tail_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_tail_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_tail_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_tail_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_tail_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_flight_tail_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_flight_tail_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_range_factor_lean0) = {
+    0x1.0000000000000p+0, 0x1.972cd2760a954p-1, 0x1.645dc1f964481p-1, 0x1.3bc15eb34f74fp-1,
+    0x1.0c573c8dd0fc6p-1, 0x1.bc2a922bd4597p-2, 0x1.78bcf0d8e4683p-2, 0x1.45bb1d20d27acp-2,
+    0x1.0d4b1ebdef10ep-2, 0x1.b2b1da4964c5ep-3, 0x1.6ab66d79f8a3fp-3, 0x1.364846663f5efp-3,
+    0x1.fc6d7d927f92cp-4, 0x1.9891bad495772p-4, 0x1.5505236941bd4p-4, 0x1.247917a9e7127p-4
+};
+GS_TABLE(gs_range_factor_lean1) = {
+    -0x1.555555555292fp+0, -0x1.c8dc7dc29e6cbp-1, -0x1.695f14e567849p-1, -0x1.23e8355c38a30p-1,
+    -0x1.b5a489be4027dp-2, -0x1.386f7efe67fcap-2, -0x1.d11e2ffb7f036p-3, -0x1.65aa793812405p-3,
+    -0x1.f9d1fac6112a4p-4, -0x1.54bcd69365c7ep-4, -0x1.e5ee1c6dc5346p-5, -0x1.69b1876115d24p-5,
+    -0x1.edb9abe5c81c3p-6, -0x1.42ae04e24c087p-6, -0x1.c42c66edc4d35p-7, -0x1.4d7739f7e42bap-7
+};
+GS_TABLE(gs_range_factor_lean2) = {
+    0x1.8e38e3832c5dep+0, 0x1.c245081bd4c09p-1, 0x1.42cbf4eb4886dp-1, 0x1.dcdbc7e2e9e44p-2,
+    0x1.3ccf9b1460e7fp-2, 0x1.88ca71e111dd9p-3, 0x1.0256ea998b8eap-3, 0x1.63d7f1c982d42p-4,
+    0x1.b2f65f9a4ba18p-5, 0x1.efd07031256a9p-6, 0x1.32045442fe382p-6, 0x1.9103d03080db8p-7,
+    0x1.cecd39b1ce227p-8, 0x1.f3329bf299015p-9, 0x1.285b8c2ac3f4cp-9, 0x1.79eee8730c05dp-10
+};
+GS_TABLE(gs_range_factor_lean3) = {
+    -0x1.b7f0cd18e8e80p+0, -0x1.a3ff03cbcc6c4p-1, -0x1.10d310a3567b5p-1, -0x1.707a92537fbdfp-2,
+    -0x1.b1e0ce4066121p-3, -0x1.d3225dc613683p-4, -0x1.0f8c018893b6fp-4, -0x1.4f277efdb4a17p-5,
+    -0x1.627bc2c5a75f9p-6, -0x1.56a6bf4fcaeedp-7, -0x1.6f401571eb31dp-8, -0x1.a94a200482e90p-9,
+    -0x1.a1d6a56e40a6ep-10, -0x1.779fd7721a0a5p-11, -0x1.7d5065b63bc53p-12, -0x1.a7668a3327c93p-13
+};
+GS_TABLE(gs_range_factor_lean4) = {
+    0x1.d8cd7d002ad97p+0, 0x1.7ce8e7f4575dbp-1, 0x1.c0486d4404761p-2, 0x1.14b45c351246dp-2,
+    0x1.20a31c25cab23p-3, 0x1.0dc43621a0dafp-4, 0x1.151dc745b7be8p-5, 0x1.326323f287946p-6,
+    0x1.1849bee7e30a3p-7, 0x1.cb4477c746a79p-9, 0x1.ab3d9cf2252b3p-10, 0x1.b530ca42fea8fp-11,
+    0x1.6df2bbad6f0e3p-12, 0x1.13078e2fbad1cp-13, 0x1.dfd529f4dd6ddp-15, 0x1.d29617382b616p-16
+};
+GS_TABLE(gs_range_factor_lean5) = {
+    -0x1.f3ab8d7d67b71p+0, -0x1.53bbc32aa8f0bp-1, -0x1.6a1d5ed2f2bd8p-2, -0x1.9889a5fb96827p-3,
+    -0x1.796c2dd810320p-4, -0x1.32275a288d76fp-5, -0x1.15d51c5cbd8a2p-6, -0x1.132157ecfb0a6p-7,
+    -0x1.b340c41265f96p-9, -0x1.2e2a0a8fab5b8p-10, -0x1.e7c1fcb4a5fd6p-12, -0x1.b8c98982d415fp-13,
+    -0x1.39f2ab885642fp-14, -0x1.8a27d0cf63c75p-16, -0x1.27a55d89b4437p-17, -0x1.f8cc5b7f39417p-19
+};
+GS_TABLE(gs_range_factor_lean6) = {
+    0x1.0371f58c8e0eap+1, 0x1.2bb5276f66725p-1, 0x1.21470cd3333a0p-2, 0x1.2a37a2cfe1d62p-3,
+    0x1.e7f231afa9060p-5, 0x1.5773ad4fdbcd5p-6, 0x1.134d4ed64ef61p-7, 0x1.e84da4cc05619p-9,
+    0x1.4df8654f3fd06p-10, 0x1.88dd24b395f0ap-12, 0x1.13144470d5e2ep-13, 0x1.b70413949b3c8p-15,
+    0x1.09fb41bbac683p-16, 0x1.167b15dda37cbp-18, 0x1.6696002f080e0p-20, 0x1.0c979d0c8bc55p-21
+};
+GS_TABLE(gs_range_factor_lean7) = {
+    -0x1.f6ea33a2e9a59p+0, -0x1.081f44b2e1581p-1, -0x1.cd173184d930ep-3, -0x1.b1e89ee5bbbefp-4,
+    -0x1.3d65f96b48c4bp-5, -0x1.824692a3e5d32p-7, -0x1.10ce4c77dd067p-8, -0x1.b092f536586a2p-10,
+    -0x1.0340d5c5edba3p-11, -0x1.00e067b5a35f0p-13, -0x1.36f1eb6248135p-15, -0x1.b52c6177c19a5p-17,
+    -0x1.ca0554a0e3501p-19, -0x1.8cc6c4e12b847p-21, -0x1.b3ee40600e9f8p-23, -0x1.1d11e13247673p-24
+};
+GS_TABLE(gs_range_factor_lean8) = {
+    0x1.56f354995fa62p+0, 0x1.cbcd413c4aa06p-2, 0x1.6b5d33673d506p-3, 0x1.386591610358fp-4,
+    0x1.94967f8748c3ap-6, 0x1.ab26255dfdebdp-8, 0x1.0a6802486f283p-9, 0x1.7a3dd64ecf1f8p-11,
+    0x1.87e1fdbbd1f8cp-13, 0x1.48eb37f9cb730p-15, 0x1.59621909a8fb2p-17, 0x1.accda1ad88201p-19,
+    0x1.7e2e35795108ap-21, 0x1.1425725dfe5eap-23, 0x1.040c25231dbe7p-25, 0x1.296b34b74309bp-27
+};
+
+static inline gs_v gs_range_factor_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_range_factor_centre, i));
+    const gs_v q8 = gs_pick(gs_range_factor_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_range_factor_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_range_factor_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_range_factor_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_range_factor_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_range_factor_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_range_factor_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_range_factor_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_range_factor_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_range_tail_lean0) = {
+    0x1.e1d8a454aef5dp-5, 0x1.86175e83d313ep-5, 0x1.47adf709d02f3p-5, 0x1.1a7b92a254f04p-5,
+    0x1.d41d418b91087p-6, 0x1.7d05f416bb7efp-6, 0x1.414141413cfabp-6, 0x1.15b1e5f7525f8p-6,
+    0x1.cd85689039b0ap-7, 0x1.78a4c8178a4c8p-7, 0x1.3e22cbce4a902p-7, 0x1.135c81135c811p-7,
+    0x1.ca4b3055ee191p-8, 0x1.767dce434a9b1p-8, 0x1.3c995a47babe7p-8, 0x1.12358e75d3033p-8
+};
+GS_TABLE(gs_range_tail_lean1) = {
+    -0x1.c536a22a3f50ap-8, -0x1.292e4818cf006p-8, -0x1.a36c31eecbe4ap-9, -0x1.37b44788daf48p-9,
+    -0x1.abfd793129458p-10, -0x1.1b8d5c461948ep-10, -0x1.9324b646f2da9p-11, -0x1.2d3a7748f03c0p-11,
+    -0x1.a004e008109b9p-12, -0x1.15123aea366d9p-12, -0x1.8b5a770ef6259p-13, -0x1.282fdebc8ce2ep-13,
+    -0x1.9a388f7e4c9bap-14, -0x1.11e9ea3f0b27cp-14, -0x1.878af2bdd2413p-15, -0x1.25b6b02871b04p-15
+};
+GS_TABLE(gs_range_tail_lean2) = {
+    0x1.a965890b83b95p-11, 0x1.c49809b1eeffdp-12, 0x1.0c66d8137757fp-12, 0x1.57f15979f9dcap-13,
+    0x1.874e0163391dap-14, 0x1.a607f95f5d891p-15, 0x1.f9e7cb9bc6c14p-16, 0x1.46c1971693d53p-16,
+    0x1.7700c9f1a2a8ap-17, 0x1.97a51ec57654ap-18, 0x1.eb501ca7b81acp-19, 0x1.3e9672cf1ceb7p-19,
+    0x1.6f30d65f26237p-20, 0x1.90b25821b59f1p-21, 0x1.e43a0fc1f1797p-22, 0x1.3a9afad0465c7p-22
+};
+GS_TABLE(gs_range_tail_lean3) = {
+    -0x1.8d47ea7c1ac02p-14, -0x1.582898b4cfd36p-15, -0x1.5766a169e2df2p-16, -0x1.7b7cbf77eede0p-17,
+    -0x1.65c3010f38d4bp-18, -0x1.3a11d7f2d5b84p-19, -0x1.3d6e4fae7d4ddp-20, -0x1.62728aebcd313p-21,
+    -0x1.520801fcd424ap-22, -0x1.2be07a79485eep-23, -0x1.314827c697facp-24, -0x1.56aebd02f9bebp-25,
+    -0x1.48acb075ba4e9p-26, -0x1.2514c0b37f2a0p-27, -0x1.2b6ce0726e2bbp-28, -0x1.50fbb28c97aa2p-29
+};
+GS_TABLE(gs_range_tail_lean4) = {
+    0x1.6fb32fcd41a34p-17, 0x1.04dd7930b1bd6p-18, 0x1.b6f08c31c1714p-20, 0x1.a299fa7b6b675p-21,
+    0x1.4715aa80c8ac6p-22, 0x1.d373ae0bf63bfp-24, 0x1.8e583a6902fc8p-25, 0x1.807c3fde88cb0p-26,
+    0x1.30b449e7758bep-27, 0x1.b932ba138ad4ap-29, 0x1.7b61200831aefp-30, 0x1.7099889e1763bp-31,
+    0x1.2632be2c82f5cp-32, 0x1.acbc58cc1054dp-34, 0x1.724dc2b790e82p-35, 0x1.68f3e4bd2745cp-36
+};
+GS_TABLE(gs_range_tail_lean5) = {
+    -0x1.4ff79c6e8759bp-20, -0x1.8921b2fc5ed14p-22, -0x1.17ebd8aa92438p-23, -0x1.cd6e089082d63p-25,
+    -0x1.2aec4cd37264ap-26, -0x1.5bd2f99a5531fp-28, -0x1.f3d9d9047db28p-30, -0x1.a10dc782721d7p-31,
+    -0x1.12960af04c875p-32, -0x1.4485079c23f00p-34, -0x1.d76eb33b4c7b4p-36, -0x1.8c7696035fe2bp-37,
+    -0x1.0744410465908p-38, -0x1.398d4813ec858p-40, -0x1.c9eea71960962p-42, -0x1.829d2aa326f89p-43
+};
+GS_TABLE(gs_range_tail_lean6) = {
+    0x1.2eaa20ab57bdep-23, 0x1.25be7db283f78p-25, 0x1.63ae4471ccf5fp-27, 0x1.fbf1616f57ac4p-29,
+    0x1.11336d160f50bp-30, 0x1.02d702954c267p-32, 0x1.39a1b13cb98dap-34, 0x1.c465b8833b3a3p-36,
+    0x1.ef0749cb2a3c3p-38, 0x1.dd74460bf9363p-40, 0x1.24edcb5411b26p-41, 0x1.aa72a5a946de6p-43,
+    0x1.d74d6f0614b3fp-45, 0x1.caae7deb68a03p-47, 0x1.1b2a73b1b3afbp-48, 0x1.9e1d195191a48p-50
+};
+GS_TABLE(gs_range_tail_lean7) = {
+    -0x1.147199f3ee5c1p-26, -0x1.ba8c951400169p-29, -0x1.c7825ed893970p-31, -0x1.19cab20914b45p-32,
+    -0x1.010f9f7b3ec92p-34, -0x1.88ddd1a385912p-37, -0x1.8f194988c2a75p-39, -0x1.efdd37e42eb7ap-41,
+    -0x1.cb58285875542p-43, -0x1.660adbe278cb2p-45, -0x1.7109869a4c723p-47, -0x1.cf699be50ae11p-49,
+    -0x1.b217aeecacabcp-51, -0x1.55ec7da93d8f3p-53, -0x1.62f792d430016p-55, -0x1.c01680ffbcbe7p-57
+};
+GS_TABLE(gs_range_tail_lean8) = {
+    0x1.e610898415581p-30, 0x1.4369bec1a1ba9p-32, 0x1.1d5f04cdf4151p-34, 0x1.341432ec5565dp-36,
+    0x1.d50967554cb05p-39, 0x1.244e18d5f951ap-41, 0x1.f4d285050a8ddp-44, 0x1.0cf169dfeebf6p-45,
+    0x1.9e0e903169241p-48, 0x1.076334e15aab0p-50, 0x1.ca9bfe437a48fp-53, 0x1.f275e61254d84p-55,
+    0x1.848eeeece953ep-57, 0x1.f42f878cc93acp-60, 0x1.b6fe3c632b4abp-62, 0x1.dff5d4152424fp-64
+};
+
+static inline gs_v gs_range_tail_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_range_tail_centre, i));
+    const gs_v q8 = gs_pick(gs_range_tail_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_range_tail_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_range_tail_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_range_tail_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_range_tail_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_range_tail_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_range_tail_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_range_tail_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_range_tail_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_grown_loss_lean0) = {
+    0x1.5555555555555p+0, 0x1.421f76abbd9a8p+0, 0x1.3742657f99cdfp+0, 0x1.2d996b21c986ap+0,
+    0x1.20e99eeef6e63p+0, 0x1.1299fe9db6345p+0, 0x1.06898a157f613p+0, 0x1.f85d64f019d2ap-1,
+    0x1.de287f11a9514p-1, 0x1.c1e1534f367eep-1, 0x1.ab1646fca9075p-1, 0x1.985169d4aa11fp-1,
+    0x1.81b90e4fd3cc1p-1, 0x1.6b03c57f84c38p-1, 0x1.5a31fece4c5b5p-1, 0x1.4d7739f7f99eap-1
+};
+GS_TABLE(gs_grown_loss_lean1) = {
+    -0x1.c71c71c70f89bp-2, -0x1.71b60c608c486p-2, -0x1.471235f0e095cp-2, -0x1.244d1d4585199p-2,
+    -0x1.f5a356b2b4cedp-3, -0x1.a28b38427fc11p-3, -0x1.6460aacdda7f8p-3, -0x1.3444500a4ff5dp-3,
+    -0x1.fb644fbddc77ep-4, -0x1.93b95dc58c8b4p-4, -0x1.497185db6d7a5p-4, -0x1.11a2b8be6ae10p-4,
+    -0x1.a7e24d1b2b976p-5, -0x1.364fa0760e487p-5, -0x1.d12aa48b90d04p-6, -0x1.63bd73d943ea4p-6
+};
+GS_TABLE(gs_grown_loss_lean2) = {
+    0x1.111110e97eef9p-2, 0x1.7b71ab135d1fbp-3, 0x1.328c558acb7a0p-3, 0x1.f8a21766b948ap-4,
+    0x1.83bdef8351667p-4, 0x1.1cafb2c5475edp-4, 0x1.b226d45457750p-5, 0x1.551346c8b4c5dp-5,
+    0x1.f072c4464a185p-6, 0x1.5a3f5ea5e37e3p-6, 0x1.fde638f8892d5p-7, 0x1.86dd69bdadf61p-7,
+    0x1.14aab8fa591fap-7, 0x1.734655bf67d38p-8, 0x1.02a9b56c66c28p-8, 0x1.6fbccda3f890ep-9
+};
+GS_TABLE(gs_grown_loss_lean3) = {
+    -0x1.8050c0d006a07p-3, -0x1.c51692f04b28cp-4, -0x1.4c9a7cc38e190p-4, -0x1.f5c96122e37d6p-5,
+    -0x1.56a5d956190a6p-5, -0x1.b5f99fbec9f10p-6, -0x1.275e21c5875dap-6, -0x1.9f6d91aca2d50p-7,
+    -0x1.04760a719577bp-7, -0x1.3122e4889be60p-8, -0x1.8226711efb35ep-9, -0x1.03fd9c943655cp-9,
+    -0x1.3bf76e339e2bap-10, -0x1.742ad1a956f86p-11, -0x1.e26eb491c1a22p-12, -0x1.473bcadaf8118p-12
+};
+GS_TABLE(gs_grown_loss_lean4) = {
+    0x1.26b58a0271671p-3, 0x1.26242de2aaf48p-4, 0x1.88077c40cdd7ap-5, 0x1.0ee3ab4a95f29p-5,
+    0x1.48d49fb251ae5p-6, 0x1.6e870d48c7c19p-7, 0x1.b6c63dbdaed11p-8, 0x1.1592d6947f01dp-8,
+    0x1.2e89ad423eb60p-9, 0x1.2ce7cee54c05cp-10, 0x1.47fcd0bbdc15dp-11, 0x1.7ec5a25e0ae25p-12,
+    0x1.7a11eb9d86ecbp-13, 0x1.5ee8e2c8986abp-14, 0x1.86304ab43c256p-15, 0x1.eca7021215d3cp-16
+};
+GS_TABLE(gs_grown_loss_lean5) = {
+    -0x1.dad45c7eef408p-4, -0x1.916a56947a5d4p-5, -0x1.e4fd2a2d72e26p-6, -0x1.328f18f4fb82ap-6,
+    -0x1.4a19268ed4e15p-7, -0x1.400bad715af37p-8, -0x1.53576f69d70bdp-9, -0x1.81c1e1efa7cf5p-10,
+    -0x1.6dd7b619c0df3p-11, -0x1.37e09ad8cb4f1p-12, -0x1.2b1bc4b83ec9ap-13, -0x1.380198d4185c7p-14,
+    -0x1.05a7a2964c60cp-15, -0x1.7957c0ef27f55p-17, -0x1.3f6d0da1b805bp-18, -0x1.4b446fcac5a8fp-19
+};
+GS_TABLE(gs_grown_loss_lean6) = {
+    0x1.7de3c59af78c0p-4, 0x1.1cbb01fb444c2p-5, 0x1.376a65e64f83bp-6, 0x1.67b31b257c8c8p-7,
+    0x1.595ab02b29b0fp-8, 0x1.222b7a9cf4d0ap-9, 0x1.0f9452890f232p-10, 0x1.1466a02e8ab05p-11,
+    0x1.c9b616d955221p-13, 0x1.4a5baf8f50b3ep-14, 0x1.145de55425f07p-15, 0x1.024ad8b16021fp-16,
+    0x1.8325bf88f5357p-18, 0x1.e24d297ec9ef4p-20, 0x1.48162f4ecfb69p-21, 0x1.f03038d675b8dp-23
+};
+GS_TABLE(gs_grown_loss_lean7) = {
+    -0x1.da5c36db2dfb0p-5, -0x1.9c7cc4b9beba3p-6, -0x1.988d493039e74p-7, -0x1.af40c703ec5a5p-8,
+    -0x1.6ed9a2be9ac9ep-9, -0x1.0b93cc97b147bp-10, -0x1.baa1ec51b0a00p-12, -0x1.93a023a11a95cp-13,
+    -0x1.212211a68c0bbp-14, -0x1.6136a3399b668p-16, -0x1.ff50978f5165dp-18, -0x1.a57c03782c6c2p-19,
+    -0x1.111717e9d6e8dp-20, -0x1.31e3a1797852dp-22, -0x1.8527f9379bec9p-24, -0x1.f2ac32a8aabe8p-26
+};
+
+static inline gs_v gs_grown_loss_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_loss_centre, i));
+    const gs_v q7 = gs_pick(gs_grown_loss_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_loss_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_loss_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_loss_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_loss_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_loss_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_grown_loss_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_grown_loss_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_grown_loss_tail_lean0) = {
+    0x1.3f8d055c011e5p-1, 0x1.330c517eb074ap-1, 0x1.2a97c68c86d8bp-1, 0x1.2486f022452dep-1,
+    0x1.1e17cfa7e35cbp-1, 0x1.185e25ddbc415p-1, 0x1.1478dd4143625p-1, 0x1.11a66cfd45129p-1,
+    0x1.0ea02be075153p-1, 0x1.0be7c88817703p-1, 0x1.0a09cc05e2cc6p-1, 0x1.08ad6706868c9p-1,
+    0x1.0735fe85cd6c5p-1, 0x1.05e286885e22cp-1, 0x1.04f88394e9aa4p-1, 0x1.044d6d1497de9p-1
+};
+GS_TABLE(gs_grown_loss_tail_lean1) = {
+    -0x1.ed7a6d7a8bf5dp-7, -0x1.43647305cbea2p-7, -0x1.c4524863e6fa6p-8, -0x1.4d19aec25885cp-8,
+    -0x1.c46f53a663b0fp-9, -0x1.28bd8afe3853dp-9, -0x1.a2f3f3e8b0710p-10, -0x1.377083fdc6467p-10,
+    -0x1.abbce65cade8fp-11, -0x1.1b70cf65f5599p-11, -0x1.9307b781d3360p-12, -0x1.2d2a3887d7f7dp-12,
+    -0x1.9ff552dc891e8p-13, -0x1.150b4eefee76fp-13, -0x1.8b5366dd9176fp-14, -0x1.282be61e20488p-14
+};
+GS_TABLE(gs_grown_loss_tail_lean2) = {
+    0x1.c50caeabed5c6p-10, 0x1.f5d763233aa06p-11, 0x1.2a2b5b9ddd05cp-11, 0x1.7ac40bd0c2790p-12,
+    0x1.a8c1664e6f25fp-13, 0x1.c378a4c695fc0p-14, 0x1.0bd50cef47c44p-14, 0x1.575ef5eac700cp-15,
+    0x1.86d937922aec1p-16, 0x1.a5b3a8c87fc8ep-17, 0x1.f99f805e52fe7p-18, 0x1.469e8bbd42edbp-18,
+    0x1.76e4eeeabdfd5p-19, 0x1.9790d8a07d1e6p-20, 0x1.eb3e9ec26dedep-21, 0x1.3e8dee618907dp-21
+};
+GS_TABLE(gs_grown_loss_tail_lean3) = {
+    -0x1.78e673a25fe1ep-13, -0x1.74227a1c02874p-14, -0x1.8249124b93de0p-15, -0x1.ac0d0c2c525c4p-16,
+    -0x1.8e31ee6cdf199p-17, -0x1.5743da9716a57p-18, -0x1.56539862045e9p-19, -0x1.7a7a4bfbaa620p-20,
+    -0x1.65133cc786aa7p-21, -0x1.39aa0db9379fcp-22, -0x1.3d232fd436146p-23, -0x1.623388d55ece2p-24,
+    -0x1.51de3d10a6d79p-25, -0x1.2bc7afa018cdbp-26, -0x1.31361692d6bf6p-27, -0x1.569f81b05b226p-28
+};
+GS_TABLE(gs_grown_loss_tail_lean4) = {
+    0x1.108d1bbd573f4p-16, 0x1.fd97b67eed944p-18, 0x1.e24de94cbd098p-19, 0x1.dcaf8e7c9d8e0p-20,
+    0x1.7406e3875548ep-21, 0x1.04cca8a4437ddp-22, 0x1.b55e6bff3f286p-24, 0x1.a10e86da5b330p-25,
+    0x1.461755c95c9c2p-26, 0x1.d28291fcd1d30p-28, 0x1.8dc6dfe37406ep-29, 0x1.8013afcc78290p-30,
+    0x1.306c012c58d58p-31, 0x1.b8f1f9eea2113p-33, 0x1.7b3b17043c0edp-34, 0x1.707e9928c2ff2p-35
+};
+GS_TABLE(gs_grown_loss_tail_lean5) = {
+    -0x1.4ceec40a984abp-20, -0x1.356dbf7c1e4f0p-21, -0x1.1a28da34259bfp-22, -0x1.01962846dca8ap-23,
+    -0x1.5911c49478c4cp-25, -0x1.8be5a57101775p-27, -0x1.174fbc7d745bfp-28, -0x1.cb77c44fb1760p-30,
+    -0x1.29cf1ae124cf1p-31, -0x1.5ae8f7b3d50b9p-33, -0x1.f2e6d739e0922p-35, -0x1.a074d5d739264p-36,
+    -0x1.1254a79430117p-37, -0x1.444fcc7052abep-39, -0x1.d73673aaa7442p-41, -0x1.8c52b53da0605p-42
+};
+GS_TABLE(gs_grown_loss_tail_lean6) = {
+    0x1.65d294066e6e6p-24, 0x1.3f9d5fb809074p-25, 0x1.2bc7a19795988p-26, 0x1.09a8f927b3fcbp-27,
+    0x1.428da94a34443p-29, 0x1.3123e36fc06f5p-31, 0x1.692917635e6f2p-33, 0x1.fee76e6dd8934p-35,
+    0x1.17347bff633bcp-36, 0x1.0679b487dffcbp-38, 0x1.3cbb6bb95566dp-40, 0x1.c7b8a82cdcde5p-42,
+    0x1.fb46a42c81287p-44, 0x1.e53e947288e9ep-46, 0x1.2851d5bae52e7p-47, 0x1.ae220858b20c1p-49
+};
+GS_TABLE(gs_grown_loss_tail_lean7) = {
+    -0x1.9fe0a408ba906p-28, -0x1.08d82c3888eb9p-29, -0x1.0f950bcda46e9p-30, -0x1.f3a7f77ac5ccdp-32,
+    -0x1.1d27688913719p-33, -0x1.cb8d432a23305p-36, -0x1.ccab61fedef8fp-38, -0x1.1947f6d05f46bp-39,
+    -0x1.fdcdd1fac3a8dp-42, -0x1.864705b0a5273p-44, -0x1.8d2fb22f5bc23p-46, -0x1.ee13d3e8ee5fep-48,
+    -0x1.c9175cddb1d29p-50, -0x1.64df1512c9ecep-52, -0x1.702cdb5c19e67p-54, -0x1.ce99d5594bbb1p-56
+};
+
+static inline gs_v gs_grown_loss_tail_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_loss_tail_centre, i));
+    const gs_v q7 = gs_pick(gs_grown_loss_tail_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_loss_tail_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_loss_tail_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_loss_tail_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_loss_tail_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_loss_tail_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_grown_loss_tail_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_grown_loss_tail_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_grown_balance_lean0) = {
+    0x1.0000000000000p+0, 0x1.e7a94cf06e209p-1, 0x1.de0e2e3189052p-1, 0x1.d8443dbb59772p-1,
+    0x1.d507267c11c4ep-1, 0x1.d842de9dcc59fp-1, 0x1.e1dc71e7db77fp-1, 0x1.f052207019260p-1,
+    0x1.0691cff73559dp+0, 0x1.1f006effaad2dp+0, 0x1.3c2695b5ae1acp+0, 0x1.5d1a30979f2e9p+0,
+    0x1.942eb502495cdp+0, 0x1.e560c739c4e5ap+0, 0x1.1e30df14767b2p+1, 0x1.4b66620da423ap+1
+};
+GS_TABLE(gs_grown_balance_lean1) = {
+    -0x1.5555555508926p-2, -0x1.7bdd99f409987p-3, -0x1.e24f08d26d694p-4, -0x1.0b338207c62f9p-4,
+    -0x1.5bcb07b1de4cfp-8, 0x1.aeed6d622e3b5p-5, 0x1.8724755d3efeap-4, 0x1.08ac62217a3c6p-3,
+    0x1.5aae13f51a49bp-3, 0x1.af893be7b72b5p-3, 0x1.f2dc2b611efa1p-3, 0x1.14e30bbd2c1aep-2,
+    0x1.34fd3d357dba1p-2, 0x1.5250d6af404bap-2, 0x1.6420c34ffaf02p-2, 0x1.6e35157427d3ap-2
+};
+GS_TABLE(gs_grown_balance_lean2) = {
+    0x1.ffffff149e737p-2, 0x1.3d7824a1abad3p-2, 0x1.e4af9d980ab83p-3, 0x1.7dec63b1cf720p-3,
+    0x1.18d3c388a8082p-3, 0x1.922502ca20a47p-4, 0x1.3435c90bcccecp-4, 0x1.f197cbfe770e2p-5,
+    0x1.82d46461f2c7dp-5, 0x1.2b7956f49a37ap-5, 0x1.e48db5e8edf09p-6, 0x1.8d2881216d29ap-6,
+    0x1.23ad85dd7f7c3p-6, 0x1.6e52f88c547efp-7, 0x1.abc1e3754eaafp-8, 0x1.d2f9cb9b926f0p-9
+};
+GS_TABLE(gs_grown_balance_lean3) = {
+    -0x1.e1a84ec217559p-2, -0x1.e723d307f15a6p-3, -0x1.476705024bc39p-3, -0x1.c84260644cbc0p-4,
+    -0x1.1876a4a0a9ea3p-4, -0x1.3e8cc4721a8dap-5, -0x1.86b33cea521e5p-6, -0x1.ff98b019aff71p-7,
+    -0x1.2ea3611116494p-7, -0x1.6af52904dc1a4p-8, -0x1.0493c7a0f102fp-8, -0x1.a53879e068c4ap-9,
+    -0x1.4f1a03efcb4b8p-9, -0x1.ea0d9a4df2e6fp-10, -0x1.470bd86832ccbp-10, -0x1.8bb36ddb546f4p-11
+};
+GS_TABLE(gs_grown_balance_lean4) = {
+    0x1.dd767557776bcp-2, 0x1.97144206ceb3dp-3, 0x1.ef49a5c17ceddp-4, 0x1.3b1ba35a1fc70p-4,
+    0x1.562dd4ec63d6ap-5, 0x1.4e6675225adfbp-6, 0x1.637820d6e1cd7p-7, 0x1.9240db4f01647p-8,
+    0x1.74c77afdd5120p-9, 0x1.2ba2e8f6de539p-10, 0x1.0fce5a3f2a5c4p-11, 0x1.2826d3367cce0p-12,
+    0x1.802500e6159aep-13, 0x1.5a7f47a86c11dp-13, 0x1.29dead8974610p-13, 0x1.b0d251af3b961p-14
+};
+GS_TABLE(gs_grown_balance_lean5) = {
+    -0x1.d7cb05cc2d680p-2, -0x1.545a5036cd355p-3, -0x1.76f6add7637f0p-4, -0x1.b42a8b0e630cdp-5,
+    -0x1.a43e7ed82c383p-6, -0x1.6666e4ba1320fp-7, -0x1.53fe660db5325p-8, -0x1.5df64ae6088bbp-9,
+    -0x1.2182c17c567d5p-10, -0x1.99fda5cf9a05ep-12, -0x1.36eb938870ad6p-13, -0x1.ca88df1f7cf16p-15,
+    -0x1.32fb98a20b41bp-17, -0x1.5360c0109e839p-19, -0x1.c35851910fe13p-18, -0x1.12408e1b61ba4p-17
+};
+GS_TABLE(gs_grown_balance_lean6) = {
+    0x1.bd826fedf8e95p-2, 0x1.1e31b6c95f9b0p-3, 0x1.1cf3b091981c5p-4, 0x1.2e6102b388a06p-5,
+    0x1.03c3fd83a5463p-6, 0x1.7ee8bfe204efcp-8, 0x1.403ba178da7fep-9, 0x1.278fdfed81262p-10,
+    0x1.b16b50e466f09p-12, 0x1.113f398b8cf44p-13, 0x1.9460cda6cb87bp-15, 0x1.423bde08f9914p-16,
+    0x1.214a360848b80p-18, -0x1.08b65bcba58b8p-21, -0x1.2d93d98c3af10p-21, 0x1.de0c3f2b27d11p-25
+};
+GS_TABLE(gs_grown_balance_lean7) = {
+    -0x1.349fc57cddee6p-2, -0x1.df3965ad3d6bap-4, -0x1.afaab8173fa83p-5, -0x1.a232aea4fb1bbp-6,
+    -0x1.3dc1275913151p-7, -0x1.95bc546fb4fe3p-9, -0x1.2b16e8c56ad5cp-10, -0x1.ed08290d39197p-12,
+    -0x1.36cc383099c55p-13, -0x1.4a53efcc0baaep-15, -0x1.b1fd775f0e403p-17, -0x1.5160b2f8863a1p-18,
+    -0x1.8a3cd3cc32a39p-20, -0x1.93eb90ca64b45p-23, 0x1.71f7581a25176p-24, 0x1.313da07936223p-24
+};
+
+static inline gs_v gs_grown_balance_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_balance_centre, i));
+    const gs_v q7 = gs_pick(gs_grown_balance_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_balance_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_balance_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_balance_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_balance_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_balance_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_grown_balance_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_grown_balance_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_grown_balance_tail_lean0) = {
+    0x1.90d2aeabbf7d8p+1, 0x1.ee8b920f38be9p+1, 0x1.26507f9e46576p+2, 0x1.5564e2c152d8cp+2,
+    0x1.9c066deead0b0p+2, 0x1.fa33bdcd6e839p+2, 0x1.2c308b3390a93p+3, 0x1.5b47379f1bf27p+3,
+    0x1.a1e93a419d9adp+3, 0x1.000b498d28a98p+4, 0x1.2f21f5f98287fp+4, 0x1.5e38a265dc666p+4,
+    0x1.a4daa50863340p+4, 0x1.0183fef08b787p+5, 0x1.309aab5ce556ep+5, 0x1.5fb157c93f355p+5
+};
+GS_TABLE(gs_grown_balance_tail_lean1) = {
+    0x1.75285693b7515p-2, 0x1.77f456e8e1a97p-2, 0x1.788fa3740e5fbp-2, 0x1.78ae6b3962273p-2,
+    0x1.78b4e0241b143p-2, 0x1.78b55fb65c711p-2, 0x1.78b5634a60549p-2, 0x1.78b5636234b93p-2,
+    0x1.78b56362ce650p-2, 0x1.78b56362cef37p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2,
+    0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2, 0x1.78b56362cef38p-2
+};
+GS_TABLE(gs_grown_balance_tail_lean2) = {
+    0x1.540c79acaf582p-10, 0x1.3418fdb1cf068p-12, 0x1.f67f8d684c9f4p-15, 0x1.7deb0face6e34p-17,
+    0x1.cf1708cd77d71p-21, 0x1.a97bccb687e62p-26, 0x1.67bf3e9feb690p-31, 0x1.1f4cfe354ebebp-36,
+    0x1.1949cd122b1a5p-44, 0x1.286133f5f11a3p-55, 0x1.2190e8b7ce5adp-66, 0x1.0c5b40d888af0p-77,
+    0x1.8bda933eea64ap-91, 0x1.27abcc44c778ap-113, -0x1.748546f5d13edp-137, -0x1.6a09e667f3bcdp-150
+};
+GS_TABLE(gs_grown_balance_tail_lean3) = {
+    -0x1.40d1bbf5e8a63p-12, -0x1.3d5b401d0563bp-14, -0x1.10fe52fb6f1b0p-16, -0x1.add66a0d707a0p-19,
+    -0x1.0dbc94843014dp-22, -0x1.fe1e8f612bf79p-28, -0x1.b764df7fd5be0p-33, -0x1.63807753939fcp-38,
+    -0x1.5642b6fe458bfp-46, -0x1.6be29d239fc6dp-57, -0x1.65a5f874e6035p-68, -0x1.4cdcd7662f916p-79,
+    -0x1.5b0be7e2c5839p-94, -0x1.01fcf51372704p-116, -0x1.7555b7750592ep-136, -0x1.b9ed3a2c98603p-136
+};
+GS_TABLE(gs_grown_balance_tail_lean4) = {
+    0x1.a16edfe0b173bp-15, 0x1.d51b9f36636f2p-17, 0x1.b140f30bb608cp-19, 0x1.64796782a9d1ap-21,
+    0x1.cfaa538e07214p-25, 0x1.c481523aaa1b5p-30, 0x1.8d8c2bc5ad050p-35, 0x1.4608b711dab29p-40,
+    0x1.008a667121e85p-48, 0x1.0f25c983f1f17p-59, 0x1.0956428fb7f90p-70, 0x1.ec3e9580c8943p-82,
+    -0x1.6eb384b73db48p-95, -0x1.145f0ccfe616cp-117, 0x1.a92f79a5c492cp-144, 0x1.6a09e667f3bcdp-156
+};
+GS_TABLE(gs_grown_balance_tail_lean5) = {
+    -0x1.7842ffb58641dp-18, -0x1.0418875759d5fp-19, -0x1.09a29c77b52eep-21, -0x1.cf04d99fe83c2p-24,
+    -0x1.3db7577546df3p-27, -0x1.4261914673286p-32, -0x1.21ff755fbeee1p-37, -0x1.e34917b77e0c1p-43,
+    -0x1.abe484ec1c0d1p-51, -0x1.ce5d7b65207f4p-62, -0x1.cb4170294371cp-73, -0x1.ae9a5ba7401e3p-84,
+    0x1.b5eac06f19371p-99, 0x1.4dfcc0f6e0cf9p-121, 0x1.208d30c8cac69p-141, 0x1.7c54d7fedf3b2p-141
+};
+GS_TABLE(gs_grown_balance_tail_lean6) = {
+    0x1.92ea3c42cea0ap-22, 0x1.b33f8cb7989c0p-23, 0x1.062402addbaf9p-24, 0x1.f0d679dde8193p-27,
+    0x1.88b0f9253d28fp-30, 0x1.a66c5fa4517d2p-35, 0x1.8921a2aba8bcfp-40, 0x1.4efa3977862fdp-45,
+    0x1.de1cc0d000d79p-53, 0x1.0c417fb3bb630p-63, 0x1.111e54ae5e729p-74, 0x1.0495e29c1d743p-85,
+    0x1.3a32b72f6db00p-100, 0x1.d469b29071679p-123, 0x1.58538807a526ap-146, 0x1.e9d5b505a53bcp-288
+};
+GS_TABLE(gs_grown_balance_tail_lean7) = {
+    -0x1.da1e438bc5b9cp-34, -0x1.f5c9251ff2362p-27, -0x1.92ed2a3c941fbp-28, -0x1.acb8778aa346ep-30,
+    -0x1.699ebeac5d4a9p-33, -0x1.9a635eecfc9f1p-38, -0x1.8940ae2ad9b7ap-43, -0x1.5555bb55db233p-48,
+    -0x1.cbfdc7f83cb74p-56, -0x1.0570e15f98963p-66, -0x1.0c5b847a2e4f9p-77, -0x1.017c0f184ffb5p-88,
+    -0x1.eb8f609d9c309p-104, -0x1.6f93016a00815p-126, -0x1.cc3aeb35c97ebp-148, -0x1.9e9c1d87a1cacp-148
+};
+
+static inline gs_v gs_grown_balance_tail_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4104, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_grown_balance_tail_centre, i));
+    const gs_v q7 = gs_pick(gs_grown_balance_tail_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_grown_balance_tail_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_grown_balance_tail_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_grown_balance_tail_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_grown_balance_tail_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_grown_balance_tail_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_grown_balance_tail_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_grown_balance_tail_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_max_range_factor_lean0) = {
+    0x1.0000000000000p+0, 0x1.b313739318e8cp-1, 0x1.8b716bd5725f9p-1, 0x1.6a679f99807a6p-1,
+    0x1.42013387c801ap-1, 0x1.1845b3994fe55p-1, 0x1.f01ccc10e7a08p-2, 0x1.bcdec6ce97d19p-2,
+    0x1.811025008a581p-2, 0x1.465f3775c4baap-2, 0x1.1b14f45606888p-2, 0x1.f3b0d1697d090p-3,
+    0x1.a8a9fdff0f31ap-3, 0x1.619be61f3c6d9p-3, 0x1.2ec59e2d8bd00p-3, 0x1.089eaff42438ap-3
+};
+GS_TABLE(gs_max_range_factor_lean1) = {
+    -0x1.e2b7dddfedf29p-1, -0x1.5cbaa9be08c50p-1, -0x1.204877e4ea6eap-1, -0x1.e4a84f29458ffp-2,
+    -0x1.7f2d1542b117fp-2, -0x1.22e4e243012c1p-2, -0x1.c8af80892c4bfp-3, -0x1.6ff8a2c9a3b03p-3,
+    -0x1.147c74133b6b0p-3, -0x1.8ea61d9e164aap-4, -0x1.2cd776e870107p-4, -0x1.d5fa7fa375d9cp-5,
+    -0x1.54a5b1de1a5c8p-5, -0x1.da366842623d0p-6, -0x1.5cc17c129b4eep-6, -0x1.0b176b451f0c4p-6
+};
+GS_TABLE(gs_max_range_factor_lean2) = {
+    0x1.c71c71c04b94dp-1, 0x1.16bbf096d5b6ep-1, 0x1.a28b63ada6214p-2, 0x1.4253552aafa23p-2,
+    0x1.c4e0d8b56fe92p-3, 0x1.2b77fc3b54e87p-3, 0x1.a095d8e000a2dp-4, 0x1.2d67ed1fd7652p-4,
+    0x1.88ee9f6e742fap-5, 0x1.e1aa1cb657aa5p-6, 0x1.3c34b3d069914p-6, 0x1.b52f4b3119904p-7,
+    0x1.0e4efd7dd4d50p-7, 0x1.3aaee3cff7d58p-8, 0x1.8dc30e89cb95fp-9, 0x1.0b1009e2986f6p-9
+};
+GS_TABLE(gs_max_range_factor_lean3) = {
+    -0x1.afc3bad954737p-1, -0x1.bf8381ac8d092p-2, -0x1.30d77bb044952p-2, -0x1.adc7330005214p-3,
+    -0x1.0bfd42f7822b8p-3, -0x1.345a2f4c324fbp-4, -0x1.7bbb5e0abde1cp-5, -0x1.ed0de23e3b0a7p-6,
+    -0x1.169474afd300ap-6, -0x1.221a85f290252p-7, -0x1.4b2d539153c68p-8, -0x1.95180d3b69f40p-9,
+    -0x1.ab2c672d019e8p-10, -0x1.9fc96ee0644f9p-11, -0x1.c39c573841e30p-12, -0x1.09d620580a482p-12
+};
+GS_TABLE(gs_max_range_factor_lean4) = {
+    0x1.9c1fbc211d226p-1, 0x1.6903baed2cf23p-2, 0x1.bdf108d1823d0p-3, 0x1.1f92e1bfff204p-3,
+    0x1.3e152e26a69c6p-4, 0x1.3e2803c794fb1p-5, 0x1.5a9f6038da600p-6, 0x1.939f3001e163ep-7,
+    0x1.8b160a997adeep-8, 0x1.5d49ebcd879b3p-9, 0x1.5a8607b863db7p-10, 0x1.76dc8164ac256p-11,
+    0x1.50f4c76c7ffc6p-12, 0x1.1220241fdcae0p-13, 0x1.ff99fb92c890ep-15, 0x1.07fe630c66fe8p-15
+};
+GS_TABLE(gs_max_range_factor_lean5) = {
+    -0x1.8b46905d8f39dp-1, -0x1.248091f17c75fp-2, -0x1.4772b6532ad44p-3, -0x1.8230bccf78d7cp-4,
+    -0x1.7aa4b736a7db5p-5, -0x1.490bbbca2a8abp-6, -0x1.3cfebbd62e93ap-7, -0x1.4ae618a064ed2p-8,
+    -0x1.18674cbeb2de5p-9, -0x1.a4b805c64ffb2p-11, -0x1.6a97916687bc9p-12, -0x1.5acaaa4a906b8p-13,
+    -0x1.0996e08085bacp-14, -0x1.6918a531e13a4p-16, -0x1.21704ef71c7ffp-17, -0x1.05d234fa8076dp-18
+};
+GS_TABLE(gs_max_range_factor_lean6) = {
+    0x1.7a83bc0f27bafp-1, 0x1.dbbcd8b2e551fp-3, 0x1.e281221c90ccap-4, 0x1.041d13a4997cbp-4,
+    0x1.c3fa40754cb08p-6, 0x1.5517b7a501421p-7, 0x1.2275c16e50a2cp-8, 0x1.0fb79a7aa721bp-9,
+    0x1.8e8c2f42ad98ep-11, 0x1.fb31b596302d6p-13, 0x1.7b9a41f2c8461p-14, 0x1.40e771cde870dp-15,
+    0x1.a2b7486401be2p-17, 0x1.db879023b2f3dp-19, 0x1.475534e7e3640p-20, 0x1.037dee28c69c4p-21
+};
+GS_TABLE(gs_max_range_factor_lean7) = {
+    -0x1.57d5d7847c41ep-1, -0x1.8660d357cfd80p-3, -0x1.663de7efbd676p-4, -0x1.60bef731329cep-5,
+    -0x1.11dd63e751805p-6, -0x1.65b7885d5ddf6p-8, -0x1.0c9e4472645bfp-9, -0x1.c19cd76890b9ep-11,
+    -0x1.20be95a09ee31p-12, -0x1.35fafd08a01a7p-14, -0x1.918e14b06d3d8p-16, -0x1.2b574cc7dd5b4p-17,
+    -0x1.5183ab40fb653p-19, -0x1.3df287cbb3149p-21, -0x1.764f91d46280cp-23, -0x1.0353f72963541p-24
+};
+GS_TABLE(gs_max_range_factor_lean8) = {
+    0x1.c0c023e220d59p-2, 0x1.3f49863e0eab0p-3, 0x1.0958db2f9c2f1p-4, 0x1.dd87e833134e0p-6,
+    0x1.485fcac1276b9p-7, 0x1.744332c145924p-9, 0x1.edf1cbe90ab88p-11, 0x1.724cc94bc5664p-12,
+    0x1.9b6a4ad58a140p-14, 0x1.7664661697ec7p-16, 0x1.a4fa465968870p-18, 0x1.1545d531f2a70p-19,
+    0x1.0a339e19a4387p-21, 0x1.a2bdf98ed5492p-24, 0x1.a73563705c4dep-26, 0x1.00e3d3a0a9db9p-27
+};
+
+static inline gs_v gs_max_range_factor_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_index i = gs_piece(u, 4088, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_max_range_factor_centre, i));
+    const gs_v q8 = gs_pick(gs_max_range_factor_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_max_range_factor_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_max_range_factor_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_max_range_factor_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_max_range_factor_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_max_range_factor_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_max_range_factor_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_max_range_factor_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_max_range_factor_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_log_lean0) = {
+    0x1.72a57d76d6d7dp-1, 0x1.90c5d50568391p-1, 0x1.ad397bd01efbdp-1, 0x1.c82d9a6371b7ep-1,
+    0x1.e1c891a51a2dfp-1, 0x1.fa2b45c6aab86p-1, 0x1.08b90ef531460p+0, 0x1.13dae612d650dp+0,
+    0x1.1e85f5e703a31p+0, 0x1.28c3c00ad88eap+0, 0x1.329cad2500154p+0, 0x1.3c18368f7849dp+0,
+    0x1.453d088c1f2d9p+0, 0x1.4e111e9282fd8p+0, 0x1.5699dae553a8ep+0, 0x1.5edc1a597eb17p+0
+};
+GS_TABLE(gs_log_lean1) = {
+    0x1.f07c1f07c9518p-2, 0x1.d41d41d422250p-2, 0x1.bacf914c1efcep-2, 0x1.a41a41a41c8c2p-2,
+    0x1.8f9c18f9c32cdp-2, 0x1.7d05f417d1875p-2, 0x1.6c16c16c1798cp-2, 0x1.5c9882b931a44p-2,
+    0x1.4e5e0a72f0ca4p-2, 0x1.41414141419afp-2, 0x1.3521cfb2b7d09p-2, 0x1.29e4129e415ecp-2,
+    0x1.1f7047dc12203p-2, 0x1.15b1e5f752912p-2, 0x1.0c9714fbcdbd4p-2, 0x1.0410410410557p-2
+};
+GS_TABLE(gs_log_lean2) = {
+    -0x1.e1709537bf736p-4, -0x1.abfd7a81c7ebfp-4, -0x1.7ef8b2803c9b3p-4, -0x1.58b31334e319fp-4,
+    -0x1.37e3f9290fe64p-4, -0x1.1b8d5b541b6f4p-4, -0x1.02e85b41df993p-4, -0x1.daaefd10d3410p-5,
+    -0x1.b4b984e12cb64p-5, -0x1.9324b58c509cdp-5, -0x1.754aa347c2a96p-5, -0x1.5aa2fded298abp-5,
+    -0x1.42bcf1fe2f72dp-5, -0x1.2d3a76facd735p-5, -0x1.19ccacd8ee6ffp-5, -0x1.083104e3aca0dp-5
+};
+GS_TABLE(gs_log_lean3) = {
+    0x1.373bd913afcfdp-5, 0x1.04dec3f6f7146p-5, 0x1.b99fef9afe2b7p-6, 0x1.791b6e2622dd4p-6,
+    0x1.4491a963ade80p-6, 0x1.195aa5be0714cp-6, 0x1.eaf7315efc723p-7, 0x1.aeeb1be42ba67p-7,
+    0x1.7c46fb4f48113p-7, 0x1.514531a495a21p-7, 0x1.2c82ed937f9ebp-7, 0x1.0ce7f1e045bedp-7,
+    0x1.e329d5e91683ap-8, 0x1.b3acc8e247b29p-8, 0x1.8a361a440854ep-8, 0x1.65d8bec1256a0p-8
+};
+GS_TABLE(gs_log_lean4) = {
+    -0x1.c51eab576b488p-7, -0x1.660e9fde1d1dbp-7, -0x1.1eab309851aebp-7, -0x1.d06fef2c92fdep-8,
+    -0x1.7c359b4a56e33p-8, -0x1.3a3d5935e3973p-8, -0x1.05fa4a41c582cp-8, -0x1.b84943f4bdae7p-9,
+    -0x1.74abf6a49f961p-9, -0x1.3d8d8e5002a5fp-9, -0x1.10421b42ca97cp-9, -0x1.d584baed14d99p-10,
+    -0x1.96ffee6a361a9p-10, -0x1.628c9c941df15p-10, -0x1.36485041a18e1p-10, -0x1.10b6bac28cd57p-10
+};
+GS_TABLE(gs_log_lean5) = {
+    0x1.5f88c021588b9p-8, 0x1.05e892a2210c3p-8, 0x1.8cb54d8fd2afep-9, 0x1.30e02d3262fb6p-9,
+    0x1.dad179782d793p-10, 0x1.762dca4fe3a51p-10, 0x1.2a1539fa8a45cp-10, 0x1.dfa57c4e3cb6ep-11,
+    0x1.856a5f6c242fbp-11, 0x1.3ece987df2220p-11, 0x1.0704b69ac9968p-11, 0x1.b516df058dbe0p-12,
+    0x1.6d9800c91582ep-12, 0x1.33aed6b341463p-12, 0x1.0470562562724p-12, 0x1.bb46ae9e3fa6bp-13
+};
+
+static inline gs_v gs_log_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 16384, 48);
+    const gs_v d = gs_sub(x, gs_pick(gs_log_centre, i));
+    const gs_v q5 = gs_pick(gs_log_lean5, i);
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_log_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_log_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_log_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_log_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_log_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_omega_lean0) = {
+    0x1.47ade8b1e67f8p+1, 0x1.d8c2afbb37034p+1, 0x1.54f07d4216612p+2, 0x1.fb7b9e6c16b54p+2,
+    0x1.71b296ef140a8p+3, 0x1.12855ebb49e8dp+4, 0x1.8ca21b3521b10p+4, 0x1.233e0698374cdp+5,
+    0x1.a061f83e1ccbdp+5, 0x1.2eb1bc9a87fa4p+6, 0x1.ad4bed04a3d82p+6, 0x1.35e9e8ac93a20p+7,
+    0x1.b539b398abcadp+7, 0x1.3a3ff3a9b7268p+8, 0x1.b9e8ad6ccffc2p+8, 0x1.3cc63a9865e5ep+9
+};
+GS_TABLE(gs_omega_lean1) = {
+    0x1.702df7eef4611p-1, 0x1.92e95ebb35536p-1, 0x1.af1449de3e513p-1, 0x1.c6a954cc9c96fp-1,
+    0x1.d7368dccdd352p-1, 0x1.e3cd68d087f9ep-1, 0x1.ec25a2faa4fa4p-1, 0x1.f24fe5788c6bbp-1,
+    0x1.f6592c6bac850p-1, 0x1.f95284e98ceafp-1, 0x1.fb46008363efdp-1, 0x1.fcb78ffb90778p-1,
+    0x1.fdab2ae00cf33p-1, 0x1.fe603a67d2432p-1, 0x1.fed810c7fd71fp-1, 0x1.ff3170ca66104p-1
+};
+GS_TABLE(gs_omega_lean2) = {
+    0x1.d0d0dc4ff3371p-6, 0x1.24a6214e57038p-6, 0x1.5893d8f720abfp-7, 0x1.6cf0aadb3aa5cp-8,
+    0x1.7ec3101e48718p-9, 0x1.77a88345abb51p-10, 0x1.7adba1bfd95c0p-11, 0x1.6cb320218e426p-12,
+    0x1.6d982c0ace274p-13, 0x1.6013967519712p-14, 0x1.6225347230fabp-15, 0x1.56adc8722b6c4p-16,
+    0x1.5a46c459ee2d7p-17, 0x1.508ef19ca7993p-18, 0x1.55537745882cep-19, 0x1.4ccf1a22d29d1p-20
+};
+GS_TABLE(gs_omega_lean3) = {
+    -0x1.92f239401153bp-9, -0x1.c488cbd3f9ce8p-10, -0x1.bb305b59608cep-11, -0x1.6ab5cb58cc034p-12,
+    -0x1.1e610fd701a07p-13, -0x1.94e748d6a5094p-15, -0x1.272aa4628085dp-16, -0x1.8f51f79dadac3p-18,
+    -0x1.1dbc40cbe9928p-19, -0x1.802e0a2abba40p-21, -0x1.131e5451dd7d5p-22, -0x1.7365d10b3008ep-24,
+    -0x1.0b433f699c254p-25, -0x1.6aacd6c7a66e6p-27, -0x1.06281fbf5577dp-28, -0x1.65341d86b03c0p-30
+};
+GS_TABLE(gs_omega_lean4) = {
+    0x1.323c6d44e992cp-12, 0x1.56e2b841639dcp-13, 0x1.270e3b5460fb3p-14, 0x1.81858a0a09cb0p-16,
+    0x1.d292d325d9ca8p-18, 0x1.e0b536118e577p-20, 0x1.fe18a4b24a8e4p-22, 0x1.e736d9f470b49p-24,
+    0x1.f32c80ceab800p-26, 0x1.d57ec8fb900f2p-28, 0x1.df5f5eba9c8d8p-30, 0x1.c3da48d41c1dfp-32,
+    0x1.cf6a00f836e6ep-34, 0x1.b732ddd477b62p-36, 0x1.c4b1ffbebb491p-38, 0x1.af140dc2d5de9p-40
+};
+GS_TABLE(gs_omega_lean5) = {
+    -0x1.2f766e98cffc1p-16, -0x1.d1c3355ebf5bfp-17, -0x1.80b2bc9a583d9p-18, -0x1.a12dceba28416p-20,
+    -0x1.8a2dfa7d16375p-22, -0x1.2acfa222734dep-24, -0x1.d0b2555bd7f44p-27, -0x1.3a33bcfd06290p-29,
+    -0x1.ce8cc91fd565bp-32, -0x1.3072355556a25p-34, -0x1.bc39e3fb28039p-37, -0x1.243855df031dap-39,
+    -0x1.abdf3469a44fdp-42, -0x1.1af6d1548eae6p-44, -0x1.a081c105b4d27p-47, -0x1.14e3ced9de69ap-49
+};
+GS_TABLE(gs_omega_lean6) = {
+    -0x1.c74a98b2e6860p-21, 0x1.e066597142240p-21, 0x1.d6c8c78243123p-22, 0x1.c0fba93a206a7p-24,
+    0x1.521f8b80bcd29p-26, 0x1.7d9f3c841c429p-29, 0x1.b4e8c32fbd30fp-32, 0x1.a42a3037419f2p-35,
+    0x1.bcc942c529569p-38, 0x1.9ac7d1cb3d62cp-41, 0x1.ac255c8e38c81p-44, 0x1.89cd9f1009da2p-47,
+    0x1.9b4ab278bfb3cp-50, 0x1.7c244e92a27e4p-53, 0x1.8f260c2de0622p-56, 0x1.72f7e45844b90p-59
+};
+GS_TABLE(gs_omega_lean7) = {
+    0x1.2317a413c3a9ap-21, -0x1.337ec30833114p-28, -0x1.fad3a7f326aedp-26, -0x1.e7a4a840122eap-28,
+    -0x1.2a5d2a82551c6p-30, -0x1.06f641368d947p-33, -0x1.b16b654d41947p-37, -0x1.34ab9fb6d7042p-40,
+    -0x1.c6aaab1775d59p-44, -0x1.3229af7e98776p-47, -0x1.b7bd76e74027cp-51, -0x1.259a2a82abb91p-54,
+    -0x1.a5a6711ad28cbp-58, -0x1.1a9ebc567a471p-61, -0x1.980dbe98031d7p-65, -0x1.130949748877ep-68
+};
+GS_TABLE(gs_omega_lean8) = {
+    -0x1.db11124fdb950p-24, -0x1.7280ebc23c41fp-27, 0x1.87f6a1bf26812p-30, 0x1.e7646fe647c26p-32,
+    0x1.fdbd7058d1e0bp-35, 0x1.5725bd5aad9e2p-38, 0x1.a51829431db25p-42, 0x1.ada2154d5ebfdp-46,
+    0x1.c85ef1e0eabaap-50, 0x1.b0a5d05081a98p-54, 0x1.bc170f110275fp-58, 0x1.9f711ede014fdp-62,
+    0x1.a96545d7e9b98p-66, 0x1.8f1beee019ccep-70, 0x1.9abd494f8c944p-74, 0x1.838c4b9e8cc35p-78
+};
+
+static inline gs_v gs_omega_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 2049, 51);
+    const gs_v d = gs_sub(x, gs_pick(gs_omega_centre, i));
+    const gs_v q8 = gs_pick(gs_omega_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_omega_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_omega_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_omega_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_omega_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_omega_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_omega_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_omega_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_omega_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_arctangent_lean0) = {
+    0x0.0p+0, 0x1.7ee182602f0e5p-4, 0x1.3d6eee8c66251p-3, 0x1.b90d752926088p-3,
+    0x1.362773707e48cp-2, 0x1.a64eec3cc2533p-2, 0x1.0657e94db32fbp-1, 0x1.345f01cce396cp-1,
+    0x1.700a7c578b386p-1, 0x1.b034f38647a0bp-1, 0x1.e24dd44c839f5p-1, 0x1.04e672779fc3ep+0,
+    0x1.1b6e192ead457p+0, 0x1.30b6d796a5614p+0, 0x1.3fc176b7a9372p+0, 0x1.4ae10fc659068p+0
+};
+GS_TABLE(gs_arctangent_lean1) = {
+    0x1.0000000000031p+0, 0x1.fb8a096acfac7p-1, 0x1.f3cc435b0713bp-1, 0x1.e89e6b5ccf174p-1,
+    0x1.d272ca3fc5f5bp-1, 0x1.adbe87f949316p-1, 0x1.84f00c278064bp-1, 0x1.5babcc647f9c3p-1,
+    0x1.21fb7812170d9p-1, 0x1.c3f8f01c3e09dp-2, 0x1.623fa77017402p-2, 0x1.19453808cad25p-2,
+    0x1.99999999e2b53p-3, 0x1.1a7b9611ac4a4p-3, 0x1.9999999997d62p-4, 0x1.3521cfb2b64f9p-4
+};
+GS_TABLE(gs_arctangent_lean2) = {
+    -0x1.2c925bed6cbf9p-36, -0x1.79568464e62fap-4, -0x1.30eddb7c3b1ebp-3, -0x1.980467f6ca5b1p-3,
+    -0x1.0997e8a04abe7p-2, -0x1.3b9d8eadc1c9bp-2, -0x1.4c62cb5ed7813p-2, -0x1.449db09aea853p-2,
+    -0x1.1f6a85072d679p-2, -0x1.c0daf8c72ad58p-3, -0x1.5103d246493ebp-3, -0x1.f62eac625d505p-4,
+    -0x1.47ae12a7496d6p-4, -0x1.85a1a2fc4bdf8p-5, -0x1.eb851f28e5856p-6, -0x1.46a14f972baf0p-6
+};
+GS_TABLE(gs_arctangent_lean3) = {
+    -0x1.5555550b4d76bp-2, -0x1.43b8f20332c85p-2, -0x1.264053fd50d38p-2, -0x1.fc2b86511538dp-3,
+    -0x1.6cf6668f5ebbcp-3, -0x1.57c0967129378p-4, -0x1.e6495b7183d2bp-8, 0x1.655caade94df7p-5,
+    0x1.41b160886769ep-4, 0x1.485ba93c75483p-4, 0x1.081775369ef13p-4, 0x1.87b5beeb577c6p-5,
+    0x1.e098e645074e9p-6, 0x1.fcc29356fe40dp-7, 0x1.1bfd450f41473p-7, 0x1.4fba463e80e4cp-8
+};
+GS_TABLE(gs_arctangent_lean4) = {
+    -0x1.aee154479c295p-22, 0x1.6f883d571035fp-4, 0x1.1b794d67b92cap-3, 0x1.61d21d013e1e7p-3,
+    0x1.8dd157f83991dp-3, 0x1.679549d27961dp-3, 0x1.063c8631f7d83p-3, 0x1.3bbc59c06246ep-4,
+    0x1.59c519d34dd2ap-6, -0x1.73a88c34a8417p-7, -0x1.1f626f01359b5p-6, -0x1.f14bba5760c12p-7,
+    -0x1.3a97306d72e91p-7, -0x1.37554b396847cp-8, -0x1.3a91898af6740p-9, -0x1.4ee1c19574a65p-10
+};
+GS_TABLE(gs_arctangent_lean5) = {
+    0x1.99a2b1b95f25bp-3, 0x1.65c1e8dfa1a7fp-3, 0x1.1381b91e44bffp-3, 0x1.5997a4377a71dp-4,
+    0x1.248e557f24ad0p-7, -0x1.f2d70cd9d2250p-5, -0x1.58b7732626305p-4, -0x1.34a339dabeaacp-4,
+    -0x1.63baae22a63a9p-5, -0x1.906a03e962643p-7, -0x1.18b83a028462cp-15, 0x1.83b0d6a9ce233p-9,
+    0x1.57fa3a55981ebp-9, 0x1.5e41188011dcap-10, 0x1.4b590d519592dp-11, 0x1.42e651e8d2fbdp-12
+};
+GS_TABLE(gs_arctangent_lean6) = {
+    -0x1.7e36d16e5a38bp-12, -0x1.610e6dfc71ab3p-4, -0x1.fc2c5862add69p-4, -0x1.1cd228356d68bp-3,
+    -0x1.f2c5cc48b566bp-4, -0x1.f424ac28357a5p-5, -0x1.53257a167f852p-8, 0x1.8175c4dcc95efp-6,
+    0x1.c5a9c00d5fb13p-6, 0x1.bae55b0434571p-7, 0x1.0e573d2bd49e8p-8, 0x1.3a947efd211e2p-11,
+    -0x1.ddad2e241d641p-12, -0x1.5ba8161e5c9b6p-12, -0x1.48ea5f73bdc3cp-13, -0x1.2cbab06189505p-14
+};
+GS_TABLE(gs_arctangent_lean7) = {
+    -0x1.1e02fe47e1738p-3, -0x1.c1b588daa4a25p-4, -0x1.f5ed490449003p-5, -0x1.faee1dbce37f3p-8,
+    0x1.b4c704c82573ap-5, 0x1.316824a114fdfp-4, 0x1.9356cc02e7865p-5, 0x1.2137f2f980cf9p-6,
+    -0x1.80a4769037e99p-8, -0x1.f058d4ce72cd3p-8, -0x1.b45a51987d442p-9, -0x1.0ed5665e0f5e6p-10,
+    -0x1.02b9566bbd039p-14, 0x1.0a64c7c76b095p-14, 0x1.2734ef81f81dbp-15, 0x1.0860f8a38ececp-16
+};
+
+static inline gs_v gs_arctangent_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-2));
+    const gs_index i = gs_piece(u, 4084, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_arctangent_centre, i));
+    const gs_v q7 = gs_pick(gs_arctangent_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_arctangent_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_arctangent_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_arctangent_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_arctangent_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_arctangent_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_arctangent_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_arctangent_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_best_sine_lean0) = {
+    0x1.6a09e667f3bcdp-1, 0x1.4db1310d4c994p-1, 0x1.3e047ddb5b9a1p-1, 0x1.3041d6c139f8cp-1,
+    0x1.1e68003dd90bdp-1, 0x1.0a87e46f30e84p-1, 0x1.f3ec5c8ff5e04p-2, 0x1.d7b6e9cee24cap-2,
+    0x1.b446420320fefp-2, 0x1.8e409e79afc8bp-2, 0x1.6fa3c4b805876p-2, 0x1.565076cb7b112p-2,
+    0x1.376776155fda5p-2, 0x1.174f1159cf2fep-2, 0x1.fc7665936ea55p-3, 0x1.d3f4d5eedbeeap-3
+};
+GS_TABLE(gs_best_sine_lean1) = {
+    -0x1.55555555053efp-3, -0x1.0cb29db5e6be1p-3, -0x1.d49865081b9c1p-4, -0x1.9e0eee24a06dep-4,
+    -0x1.5ea6c6185a41dp-4, -0x1.20cfe7920859ep-4, -0x1.e72f7493e6881p-5, -0x1.a27259401ae33p-5,
+    -0x1.55eefefc91042p-5, -0x1.0eff5c838dc79p-5, -0x1.bb1aece056b81p-6, -0x1.72d69379c0710p-6,
+    -0x1.25832d458b42cp-6, -0x1.c1eb09666bb59p-7, -0x1.66365b8d5f1f1p-7, -0x1.255f10f310cc6p-7
+};
+GS_TABLE(gs_best_sine_lean2) = {
+    0x1.e2b7dbf480746p-5, 0x1.372cfd1632ca0p-5, 0x1.e6c6f68a48da1p-6, 0x1.8701fbc2dcd05p-6,
+    0x1.245c155354c53p-6, 0x1.a23d011110f3fp-7, 0x1.38aa26bca4b72p-7, 0x1.e340b1a860cf0p-8,
+    0x1.581e23675eceep-8, 0x1.d300c57c6a03ep-9, 0x1.4e83316398d9fp-9, 0x1.f2f160afa7b65p-10,
+    0x1.54136cf8fb960p-10, 0x1.b8d105337505ap-11, 0x1.3084ac79f73adp-11, 0x1.b8fa62ece0a14p-12
+};
+GS_TABLE(gs_best_sine_lean3) = {
+    -0x1.a8c43ef7a7879p-6, -0x1.b21cafc1e634bp-7, -0x1.2c2a78e432a64p-7, -0x1.b17405a8d1b6ap-8,
+    -0x1.1a7a6d7fede5bp-8, -0x1.5a9070e64fb17p-9, -0x1.c70be9d0451cap-10, -0x1.3a247be42b478p-10,
+    -0x1.82ac0b6779a98p-11, -0x1.bdad71e627b63p-12, -0x1.16084674606e0p-12, -0x1.6fd1c44b2cf64p-13,
+    -0x1.ad748d89ae1d1p-14, -0x1.d437585e0cd45p-15, -0x1.178230007f8cbp-15, -0x1.64b443a418938p-16
+};
+GS_TABLE(gs_best_sine_lean4) = {
+    0x1.b242e67335b58p-7, 0x1.570bf5f9b1956p-8, 0x1.9e9dba17a3275p-9, 0x1.0abb9964b0bcbp-9,
+    0x1.2bfe2b7fb9584p-10, 0x1.38a70cb8b22e2p-11, 0x1.660541bf78e59p-12, 0x1.b73fca3db6451p-13,
+    0x1.d076632f9a7f4p-14, 0x1.c412ebbe74932p-15, 0x1.e930f4dd4de46p-16, 0x1.1e15053e08ea8p-16,
+    0x1.1d04f8c5395adp-17, 0x1.04721b854f7fbp-18, 0x1.0c024055834fbp-19, 0x1.2ccd6f9ed16f2p-20
+};
+GS_TABLE(gs_best_sine_lean5) = {
+    -0x1.eca3581a4b04bp-8, -0x1.2964bcc363d38p-9, -0x1.375b302b9eaacp-10, -0x1.6279fa5d423e2p-11,
+    -0x1.555123e2caf4ap-12, -0x1.2be1236dfb60ep-13, -0x1.29d2fa0e18f2dp-14, -0x1.4351f56a553f2p-15,
+    -0x1.2451973ee2252p-16, -0x1.de5d53da3c9f8p-18, -0x1.bf7b16628af50p-19, -0x1.cd92b6e9bb992p-20,
+    -0x1.875337a45decbp-21, -0x1.2ae4868e686edp-22, -0x1.089245c5e8f12p-23, -0x1.04c1c361dcdafp-24
+};
+GS_TABLE(gs_best_sine_lean6) = {
+    0x1.1a949cd38965bp-8, 0x1.17481b6cf12b4p-10, 0x1.f60d74d12ea4dp-12, 0x1.f65aacc87fb82p-13,
+    0x1.9ef797b297067p-14, 0x1.30433d9c121cbp-15, 0x1.044a364e1afa8p-16, 0x1.f199c98abf114p-18,
+    0x1.82d580ff4b140p-19, 0x1.07ebaa6ebdb6bp-20, 0x1.a894fcf037357p-22, 0x1.80ccc6ba42ad8p-23,
+    0x1.17fdf3f463bafp-24, 0x1.62ec58f341379p-26, 0x1.0d01f4f3c1bfbp-27, 0x1.d02d35974f763p-29
+};
+GS_TABLE(gs_best_sine_lean7) = {
+    -0x1.d3225c1f87611p-10, -0x1.13b6ad9eadd71p-11, -0x1.a83539406de40p-13, -0x1.73f9442f97cccp-14,
+    -0x1.04422dd0c035fp-15, -0x1.3e14a93c52a80p-17, -0x1.d40dcd54187ddp-19, -0x1.89573ed9b0dfdp-20,
+    -0x1.03b22f8532edfp-21, -0x1.27cc7711f3b96p-23, -0x1.994dd70a0f86cp-25, -0x1.45e9174141579p-26,
+    -0x1.920c401c5f6b3p-28, -0x1.a83ca097561ccp-30, -0x1.13c63d8557cd4p-31, -0x1.a0ee45731d9d4p-33
+};
+
+static inline gs_v gs_best_sine_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_best_sine_centre, i));
+    const gs_v q7 = gs_pick(gs_best_sine_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_best_sine_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_best_sine_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_best_sine_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_best_sine_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_best_sine_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_best_sine_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_best_sine_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_best_angle_lean0) = {
+    0x1.921fb54442d18p-1, 0x1.6b755819da4d3p-1, 0x1.5721fe1021195p-1, 0x1.45cdcaa0aa463p-1,
+    0x1.2ff269ed33c03p-1, 0x1.18540779c9426p-1, 0x1.052316b1f6b70p-1, 0x1.ea3a1495ac423p-2,
+    0x1.c2af2c7b7f1a6p-2, 0x1.990b521dbbdc6p-2, 0x1.7808ccb197f47p-2, 0x1.5d089e7979a1bp-2,
+    0x1.3c6a58f69f6eap-2, 0x1.1ae4c49b50ad4p-2, 0x1.00eb1197882e4p-2, 0x1.d8208a95ade6ep-3
+};
+GS_TABLE(gs_best_angle_lean1) = {
+    -0x1.e2b7ddddedb5ep-3, -0x1.6246d45f84b22p-3, -0x1.2af5bfd34f725p-3, -0x1.0168e4580c843p-3,
+    -0x1.a7076b315c431p-4, -0x1.52423b79a91c1p-4, -0x1.171dc698c057bp-4, -0x1.d772b7d5327ebp-5,
+    -0x1.79f3d47f8cf89p-5, -0x1.2627de37e1befp-5, -0x1.dac207a9904eep-6, -0x1.897991a4bdc3bp-6,
+    -0x1.341ad20ba6242p-6, -0x1.d3a699b94fc39p-7, -0x1.71ca57fcebd48p-7, -0x1.2d57e396e4569p-7
+};
+GS_TABLE(gs_best_angle_lean2) = {
+    0x1.c71c6b9dd9cbfp-4, 0x1.01ce2dc114568p-4, 0x1.7bbc412c5e385p-5, 0x1.22e3a7c9d545bp-5,
+    0x1.9bac663e4aaf2p-6, 0x1.16fc0656d07f4p-6, 0x1.90d20e0b3665bp-7, 0x1.2c64fab91e7dfp-7,
+    0x1.9d36c8ff160cbp-8, 0x1.0f4a9997d0e1fp-8, 0x1.7b935e52c1cb1p-9, 0x1.161b4ed2fe862p-9,
+    0x1.73c7a52e95659p-10, 0x1.d953f8b6d0b45p-11, 0x1.42ead5bcd569fp-11, 0x1.cf5e23c37052dp-12
+};
+GS_TABLE(gs_best_angle_lean3) = {
+    -0x1.0a620390a1719p-4, -0x1.c59d56f561b69p-6, -0x1.1fdd07a0907dbp-6, -0x1.845dcfcce5f76p-7,
+    -0x1.d3965621138fep-8, -0x1.0949d809c3690p-8, -0x1.48bb8c1b126cap-9, -0x1.b20a16e77352bp-10,
+    -0x1.fbcf0a86a0349p-11, -0x1.16d3840461c04p-11, -0x1.4ffe38039df74p-12, -0x1.b1046dee8a232p-13,
+    -0x1.eb2a11476dca8p-14, -0x1.04b0391c73a58p-14, -0x1.317ef4a456372p-15, -0x1.8092ec08de8bfp-16
+};
+GS_TABLE(gs_best_angle_lean4) = {
+    0x1.61ad53149ec97p-5, 0x1.be95e2beaa4f5p-7, 0x1.e4eb67826901fp-8, 0x1.1e5b67e804a78p-8,
+    0x1.2330936594fb7p-9, 0x1.1298a07ecb0fap-10, 0x1.23ce2ac26cc64p-11, 0x1.51d5deccf8a9ep-12,
+    0x1.4e54f8daa2349p-13, 0x1.3167188b41db7p-14, 0x1.3ba9739fd0b93p-15, 0x1.64a17db8df267p-16,
+    0x1.55e62e6191c3fp-17, 0x1.2d7996b480145p-18, 0x1.2e92ada59c474p-19, 0x1.4d67c26e84105p-20
+};
+GS_TABLE(gs_best_angle_lean5) = {
+    -0x1.f7437d414cb43p-6, -0x1.d96a737271298p-8, -0x1.b5f897863e890p-9, -0x1.c338b507c2bb4p-10,
+    -0x1.81d6609738947p-11, -0x1.2cf29e623ec72p-12, -0x1.113b1f90a9e82p-13, -0x1.1486d76d76fe2p-14,
+    -0x1.cd4b32edb5268p-16, -0x1.5d31fb703c996p-17, -0x1.34b0eb9573acap-18, -0x1.3109d49d2ec09p-19,
+    -0x1.ed0f29a912859p-21, -0x1.682bb1efab0b4p-22, -0x1.34f6206152ca9p-23, -0x1.2986b4cb1f22fp-24
+};
+GS_TABLE(gs_best_angle_lean6) = {
+    0x1.5893ffeca5e22p-6, 0x1.0b2790fdfa575p-8, 0x1.a2d563c2e7d9ap-10, 0x1.76dfc55e6f6dep-11,
+    0x1.0fb0517ff6ae5p-12, 0x1.5b941cff37ac5p-14, 0x1.0c1592096520bp-15, 0x1.d86be7a34aa9cp-17,
+    0x1.4ef82fb1b56b4p-18, 0x1.a0cda8c234f58p-20, 0x1.397659968fe06p-21, 0x1.0debcdd94e33dp-22,
+    0x1.73715f06bd006p-24, 0x1.be0bb6de5cb31p-26, 0x1.456e9e5718d61p-27, 0x1.10f71047c3165p-28
+};
+GS_TABLE(gs_best_angle_lean7) = {
+    -0x1.3f0ae4b3b3c71p-7, -0x1.35f89786e7aedp-9, -0x1.9c57dde4cca04p-11, -0x1.40c5e7efcd80fp-12,
+    -0x1.855cdbd5ef0e4p-14, -0x1.99be33ef478efp-16, -0x1.0ccb76aa5fc42p-17, -0x1.9c86b330439bcp-19,
+    -0x1.eb0c7e7e4a41dp-21, -0x1.f7da859ae06f4p-23, -0x1.42dcd6b46b998p-24, -0x1.e4dce502e5d8ep-26,
+    -0x1.185a47b1938f1p-27, -0x1.15dd92d16027dp-29, -0x1.59961900170b6p-31, -0x1.f98dbce032a29p-33
+};
+
+static inline gs_v gs_best_angle_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_best_angle_centre, i));
+    const gs_v q7 = gs_pick(gs_best_angle_lean7, i);
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_best_angle_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_best_angle_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_best_angle_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_best_angle_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_best_angle_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_best_angle_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_best_angle_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_rise_factor_lean0) = {
+    0x1.0000000000000p+0, 0x1.e0833c4de4fa9p-1, 0x1.cc1d4cd48c2b4p-1, 0x1.ae772b21dec14p-1,
+    0x1.88d3e3a790996p-1, 0x1.658652fec2b8ap-1, 0x1.44ba893ea57fbp-1, 0x1.188959b4dfc39p-1,
+    0x1.ce95f0367a272p-2, 0x1.8176a1ecf2ed5p-2, 0x1.46c3a3fd486e3p-2, 0x1.0834677b7187dp-2,
+    0x1.a419fbac2fbddp-3, 0x1.5c9882745c991p-3, 0x1.29e4129e27854p-3, 0x1.e9131abf0df77p-4
+};
+GS_TABLE(gs_rise_factor_lean1) = {
+    -0x1.5555555555555p-2, -0x1.4a42c58806b22p-2, -0x1.426b3bc0b48bap-2, -0x1.35f3402102773p-2,
+    -0x1.240162d332d8ap-2, -0x1.109c62b6e5c2cp-2, -0x1.f7dd61aaf7307p-3, -0x1.b665725f68e72p-3,
+    -0x1.5df1635f8e8b5p-3, -0x1.0d13bcc3d2302p-3, -0x1.96c764f33312bp-4, -0x1.0fe6724c30c9bp-4,
+    -0x1.58ad873dcd14fp-5, -0x1.daaef142452eep-6, -0x1.5aa2fe5ebdbcdp-6, -0x1.d32cfecd6cd4cp-7
+};
+GS_TABLE(gs_rise_factor_lean2) = {
+    0x1.c71c71c71c71bp-6, 0x1.e9f9097fd6707p-6, 0x1.00ee81cf49508p-5, 0x1.131619f11f8f6p-5,
+    0x1.2aff8ee3f85dfp-5, 0x1.41311aa2a2b6fp-5, 0x1.53ba8247d8fbcp-5, 0x1.63bf6b603d681p-5,
+    0x1.591d021816bf2p-5, 0x1.28731fa0d1ee3p-5, 0x1.c7e012af5fd33p-6, 0x1.12af2ec08bbd1p-6,
+    0x1.1a9e3ee4dc309p-7, 0x1.432fbcf095289p-8, 0x1.935beae767f8ap-9, 0x1.be41e7cef3170p-10
+};
+GS_TABLE(gs_rise_factor_lean3) = {
+    0x1.e573ac901f126p-9, 0x1.f9076fe0f1e7ap-9, 0x1.00cbd7383b7a4p-8, 0x1.028ab44896271p-8,
+    0x1.f1e8409747e9bp-9, 0x1.ba137e9e321a2p-9, 0x1.54b1b8a29750fp-9, 0x1.867cf9161e117p-11,
+    -0x1.4b4f59c0dbe06p-9, -0x1.4f8e154a288d3p-8, -0x1.73dfeed7add5cp-8, -0x1.0100409f6f202p-8,
+    -0x1.cd7a5736e2440p-10, -0x1.b80d2237aa95ep-11, -0x1.d55cf48f7a5d7p-12, -0x1.aa4698a70e409p-13
+};
+GS_TABLE(gs_rise_factor_lean4) = {
+    0x1.e573ac8c57547p-13, 0x1.5339aa94cb98ap-13, 0x1.9675e75de63afp-14, -0x1.12963104cae8cp-15,
+    -0x1.1e72fc3aab595p-12, -0x1.359dd1f0c70dbp-11, -0x1.f83ff3d1faf36p-11, -0x1.856675f66b4a1p-10,
+    -0x1.abfe76174a1e4p-10, -0x1.b2996cd3edd63p-11, 0x1.d69b7c18b5b0ap-13, 0x1.746e19e7c31c0p-11,
+    0x1.70f670609fe25p-12, 0x1.2b6fbdd327863p-13, 0x1.111540e1cb5e9p-14, 0x1.97309348e36f7p-16
+};
+GS_TABLE(gs_rise_factor_lean5) = {
+    -0x1.ed284b58bcaa4p-15, -0x1.7e7af5e56c82dp-14, -0x1.ea165da43d6aap-14, -0x1.50ed8a277cb86p-13,
+    -0x1.d65ef99aebb36p-13, -0x1.2635f9c24a5e6p-12, -0x1.40a8e48c691dep-12, -0x1.d49ac0ddd449bp-13,
+    0x1.2675ede3e3b7fp-13, 0x1.d427d4b182949p-12, 0x1.5c05fb0c12d7cp-12, -0x1.f239189fccaacp-16,
+    -0x1.10580d72940f2p-14, -0x1.96537abfeb4e4p-16, -0x1.3dc265a6f0b8dp-17, -0x1.84f516206c123p-19
+};
+GS_TABLE(gs_rise_factor_lean6) = {
+    -0x1.ac6ea6eaa1494p-16, -0x1.0d1eef440c1c0p-15, -0x1.304275a9a513cp-15, -0x1.59f297f80ea2fp-15,
+    -0x1.60f4be589b3d3p-15, -0x1.fc5f09300d25dp-16, 0x1.1290e9e5cb528p-24, 0x1.4473a8416f1afp-14,
+    0x1.2c5bb92fec852p-13, 0x1.221e0d64f3670p-15, -0x1.7c5ff94b0f892p-14, -0x1.62256a97ff7a4p-15,
+    0x1.2d43429e711a7p-17, 0x1.100e146284429p-18, 0x1.71a7eb595171ap-20, 0x1.735ec30df480bp-22
+};
+GS_TABLE(gs_rise_factor_lean7) = {
+    -0x1.48addef1181cbp-18, -0x1.4d0f250773217p-18, -0x1.3024440cec6c7p-18, -0x1.75811d5642130p-19,
+    0x1.4a47d0f6b5f56p-19, 0x1.85df2f5fcb1c8p-17, 0x1.84a1397959a50p-16, 0x1.0ec4907600bd6p-15,
+    -0x1.36ef77fb3f813p-18, -0x1.8e354f3637b44p-15, -0x1.f007269edb7cdp-17, 0x1.21459d5ed3830p-16,
+    0x1.4b2558c9c092ep-23, -0x1.59f269f0254d7p-21, -0x1.ad9c42dc5025ap-23, -0x1.62bddee774ac5p-25
+};
+GS_TABLE(gs_rise_factor_lean8) = {
+    -0x1.10536701a7ff9p-22, 0x1.bb61212606cf7p-23, 0x1.6f438d7bb03ebp-21, 0x1.cd3a65d23df2bp-20,
+    0x1.e382e8cc6067cp-19, 0x1.6cb4ef742f9c8p-18, 0x1.7946c5eec9603p-18, -0x1.5f66e1aff2d8ep-20,
+    -0x1.f7eebd5b45bfcp-17, -0x1.1eaaf785d5a22p-20, 0x1.9b600b6d4e4c8p-17, -0x1.8badc183e101ap-20,
+    -0x1.8e18ecf5ee358p-21, 0x1.61401dbd12286p-24, 0x1.f69d8eaee6335p-26, 0x1.5f60fdce7d17bp-28
+};
+GS_TABLE(gs_rise_factor_lean9) = {
+    0x1.ef22ec22da30dp-23, 0x1.7d9440511e2a7p-22, 0x1.0aab41b39b727p-21, 0x1.8460e16009471p-21,
+    0x1.e73c3dfe6ecc8p-21, 0x1.434d25f23e332p-21, -0x1.420975c3024a0p-21, -0x1.c739f61615a9ap-19,
+    -0x1.91f56fb5240e2p-21, 0x1.6aae3ccc8219fp-18, -0x1.13ab8746145abp-21, -0x1.33ce7cacd287bp-20,
+    0x1.352784824e3f4p-22, -0x1.1595da0944596p-29, -0x1.1bc405bb4ea4fp-28, -0x1.4fa20aaad2563p-31
+};
+
+static inline gs_v gs_rise_factor_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.4000000000000p-1));
+    const gs_index i = gs_piece(u, 4089, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_rise_factor_centre, i));
+    const gs_v q9 = gs_pick(gs_rise_factor_lean9, i);
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_rise_factor_lean8, i));
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_rise_factor_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_rise_factor_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_rise_factor_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_rise_factor_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_rise_factor_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_rise_factor_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_rise_factor_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_rise_factor_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_fall_factor_lean0) = {
+    0x1.0000000000000p+0, 0x1.20f38634e2dd1p+0, 0x1.37e3c7753443fp+0, 0x1.4f84129e4be4bp+0,
+    0x1.7418d443d751ap+0, 0x1.a6b2d77023729p+0, 0x1.db08ea12eebe4p+0, 0x1.0865f8a6c5422p+1,
+    0x1.31cbdbb34bcefp+1, 0x1.6a8b8f409101ap+1, 0x1.a49d5e7827f9dp+1, 0x1.dfaacb35592aap+1,
+    0x1.1ccce6cd644f9p+2, 0x1.59a5d650beb95p+2, 0x1.9730e797c2bf4p+2, 0x1.d537378250462p+2
+};
+GS_TABLE(gs_fall_factor_lean1) = {
+    0x1.5555555552e3cp-2, 0x1.691f1df00b349p-2, 0x1.74b5793a6e357p-2, 0x1.7f254eeb3efa6p-2,
+    0x1.8ce4aaa4b841fp-2, 0x1.9c369a28644d6p-2, 0x1.a8c1b0ef8fcd0p-2, 0x1.b31bf3e737da0p-2,
+    0x1.bf805623be3bbp-2, 0x1.cbd0e06bae388p-2, 0x1.d4dadf0dec026p-2, 0x1.dbae08c71f084p-2,
+    0x1.e329c82e93c65p-2, 0x1.e9ec81f4dd339p-2, 0x1.ee7da767242f2p-2, 0x1.f1bae2c879526p-2
+};
+GS_TABLE(gs_fall_factor_lean2) = {
+    0x1.c71c71f31c677p-6, 0x1.8670bc13abac8p-6, 0x1.5fc46e84fd23ap-6, 0x1.3cce2c8f96f01p-6,
+    0x1.0f0b16d664e06p-6, 0x1.ba4ecef3e4bc0p-7, 0x1.6b9427d0a83c0p-7, 0x1.2d6920af7f21ep-7,
+    0x1.ce8c87b2106a0p-8, 0x1.4e96e62aa2989p-8, 0x1.f2da1fcc4d7e0p-9, 0x1.7db56500b055dp-9,
+    0x1.0a3244407766ap-9, 0x1.5e27292e17ba7p-10, 0x1.e6743afb9e4e1p-11, 0x1.608c71c7bfa90p-11
+};
+GS_TABLE(gs_fall_factor_lean3) = {
+    -0x1.e573ecd14b68cp-9, -0x1.b03556ce4145cp-9, -0x1.88ab27da14795p-9, -0x1.616668bbd63eap-9,
+    -0x1.2a71cec046589p-9, -0x1.d7c33c1fdbd10p-10, -0x1.740abcc33cb6dp-10, -0x1.26661c0fe055ap-10,
+    -0x1.a3a31638c5312p-11, -0x1.12e9f5fd3b863p-11, -0x1.74891c8928d6bp-12, -0x1.04729f98b2a1dp-12,
+    -0x1.4095430c461eap-13, -0x1.6b7b9df8047a8p-14, -0x1.baf539c560f12p-15, -0x1.1daa9285eb564p-15
+};
+GS_TABLE(gs_fall_factor_lean4) = {
+    0x1.e5b867a86e47ap-13, 0x1.36d0d013c1be5p-12, 0x1.3e1f29e741e9ep-12, 0x1.33fd98b84ab5dp-12,
+    0x1.140cebf7c6924p-12, 0x1.c05db6e6ac099p-13, 0x1.5fdaad6818a27p-13, 0x1.104c3f35f952fp-13,
+    0x1.7124dc6802158p-14, 0x1.be574573e19b3p-15, 0x1.15f91bc4780a6p-15, 0x1.65b1c9de66597p-16,
+    0x1.872e94bf86c98p-17, 0x1.803464cfff7dep-18, 0x1.9bd365d6f2b38p-19, 0x1.d96940670fc57p-20
+};
+GS_TABLE(gs_fall_factor_lean5) = {
+    0x1.e4d45bda52c9dp-15, 0x1.f2052d057d417p-17, -0x1.21eeb864ac160p-19, -0x1.99f4894ac80c9p-17,
+    -0x1.3be92e2305c7ep-16, -0x1.4940ee321e04dp-16, -0x1.1b4dd89750619p-16, -0x1.c3efe5afe1537p-17,
+    -0x1.30f114a38b43cp-17, -0x1.5eb9c290ed302p-18, -0x1.980dd3a097e31p-19, -0x1.e7db6a59c86e0p-20,
+    -0x1.e184e852e03ecp-21, -0x1.9b678c397d74dp-22, -0x1.849ccf069a9eap-23, -0x1.8e81355a548a1p-24
+};
+GS_TABLE(gs_fall_factor_lean6) = {
+    -0x1.709414168c200p-16, -0x1.dc8f43e0d6355p-17, -0x1.257f1ae6ce489p-17, -0x1.48bfa8fc0898dp-18,
+    -0x1.8327d85a03bd0p-20, 0x1.2f7fee347d819p-21, 0x1.2c30814bde730p-20, 0x1.2a378b52556bcp-20,
+    0x1.bcec56c1b1d5ap-21, 0x1.01d8b5fc683c3p-21, 0x1.1fc223dd92327p-22, 0x1.44622422e75d9p-23,
+    0x1.225465314d2cbp-24, 0x1.b4216ea49c55dp-26, 0x1.6d3d2bd5ce46ap-27, 0x1.4f5ebef6ac4c5p-28
+};
+
+static inline gs_v gs_fall_factor_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_fall_factor_centre, i));
+    const gs_v q6 = gs_pick(gs_fall_factor_lean6, i);
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_fall_factor_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_fall_factor_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_fall_factor_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_fall_factor_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_fall_factor_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_fall_factor_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_w0_ratio_lean0) = {
+    0x1.5bf0a8b145769p+1, 0x1.1bb44bed12b1cp+1, 0x1.f62404b57cabcp+0, 0x1.a90e896463e7bp+0,
+    0x1.5cf549b1dfe2fp+0, 0x1.24f932865a6d9p+0, 0x1.f4bc7904f898bp-1, 0x1.96114e7aea309p-1,
+    0x1.3ec767d436238p-1, 0x1.02696c2c07b44p-1, 0x1.ad4d9fbca5dadp-2, 0x1.508759cffb06dp-2,
+    0x1.fe7c1b4cb672cp-3, 0x1.9303e90288569p-3, 0x1.47c649e19438cp-3, 0x1.f53806a793339p-4
+};
+GS_TABLE(gs_w0_ratio_lean1) = {
+    -0x1.95a2dd55ac882p+2, -0x1.20d698316961ap+2, -0x1.d7a5ce2d8d69dp+1, -0x1.65ebba9fd7f1fp+1,
+    -0x1.026eb56937f72p+1, -0x1.8392709ed0e62p+0, -0x1.2b6a24b88ba53p+0, -0x1.a8da3ae4b1163p-1,
+    -0x1.1e2b1f26d7710p-1, -0x1.96a8e8661c34ep-2, -0x1.2ce2017601259p-2, -0x1.95af9cf88a276p-3,
+    -0x1.03a01b6b833c8p-3, -0x1.62e84858e65bfp-4, -0x1.fd593a95751eep-5, -0x1.4b51b8e1ca5b2p-5
+};
+GS_TABLE(gs_w0_ratio_lean2) = {
+    0x1.8a153ef2ae708p+3, 0x1.e876e65db9ecap+2, 0x1.6f3586cb5ae1ap+2, 0x1.f253fcbe65f28p+1,
+    0x1.3b7dedfe92ea3p+1, 0x1.a57a797cba5b6p+0, 0x1.25ad18a17fec2p+0, 0x1.6b7cccafdffa8p-1,
+    0x1.a2c1c61c774f3p-2, 0x1.04140bbd8f7a2p-2, 0x1.56003f3056eacp-3, 0x1.8b67e3479faf2p-4,
+    0x1.a9abc768c4acdp-5, 0x1.f67ac1d6d1bcfp-6, 0x1.3d71ac25c8a1dp-6, 0x1.5e69832289b16p-7
+};
+GS_TABLE(gs_w0_ratio_lean3) = {
+    -0x1.67e32538af9bap+4, -0x1.83a2130cb62b5p+3, -0x1.0c10ae02365f4p+3, -0x1.44db950156dc4p+2,
+    -0x1.682267b9e6468p+1, -0x1.ac06fdbb8c040p+0, -0x1.0caeec80e822dp+0, -0x1.21a55f14f351ep-1,
+    -0x1.1ce25718b659ep-2, -0x1.34e0dc5270f18p-3, -0x1.6880b3a75eec5p-4, -0x1.64d75c953fd7bp-5,
+    -0x1.429089be2c136p-6, -0x1.485996b73b997p-7, -0x1.6cd43e2622853p-8, -0x1.55362f117cb3cp-9
+};
+GS_TABLE(gs_w0_ratio_lean4) = {
+    0x1.3efc705b8d828p+5, 0x1.2a4d05d9d0f3fp+4, 0x1.7b53adfb0d3aap+3, 0x1.9a357430a2edep+2,
+    0x1.8dcf9d47efdb9p+1, 0x1.a451c06ec65e6p+0, 0x1.db14256a0cedap-1, 0x1.bdac946ff7fb9p-2,
+    0x1.75dd414e8ab3cp-3, 0x1.6184cd487e612p-4, 0x1.6df1410a01878p-5, 0x1.35d418f39f89bp-6,
+    0x1.d5d860e2915eep-8, 0x1.9c142e4f44862p-9, 0x1.9256e6f7019a1p-10, 0x1.3e88c121f6365p-11
+};
+GS_TABLE(gs_w0_ratio_lean5) = {
+    -0x1.15da043f99df9p+6, -0x1.c3080dfd212b5p+4, -0x1.07930b1e8f96ep+4, -0x1.fc722dfebb502p+2,
+    -0x1.af1dc97100e79p+1, -0x1.94c12bc0b76a6p+0, -0x1.9bb3ad4ec43bbp-1, -0x1.4fddc6f10b1cdp-2,
+    -0x1.e0527fced7207p-4, -0x1.8be5643f51f5ep-5, -0x1.6b4ae2c6e2e7bp-6, -0x1.06e1cb2080d57p-7,
+    -0x1.4e31b95c0d157p-9, -0x1.f8cf8564e2e3ep-11, -0x1.b0e8d2829f0dep-12, -0x1.21e234138e4a1p-13
+};
+GS_TABLE(gs_w0_ratio_lean6) = {
+    0x1.dcbb29abfa2afp+6, 0x1.511e575ee84abp+5, 0x1.6a0f04b4766ffp+4, 0x1.37632a07bc873p+3,
+    0x1.cd84f6d9c80e6p+1, 0x1.80e392915ab9bp+0, 0x1.6035aaf6d4a67p-1, 0x1.f39a900de9072p-3,
+    0x1.305ada15161f1p-4, 0x1.b525c160ad173p-6, 0x1.637cc303b859ap-7, 0x1.b794f7ce46618p-9,
+    0x1.d4312b8a9b5d5p-11, 0x1.305e44a6b4044p-12, 0x1.ca58115ece401p-14, 0x1.0387d51e47ec9p-15
+};
+GS_TABLE(gs_w0_ratio_lean7) = {
+    -0x1.83bf788665e7ep+7, -0x1.f6646900ed402p+5, -0x1.ef5af60e350dep+4, -0x1.7f299a238fdc5p+3,
+    -0x1.eeb2f18508ff1p+1, -0x1.6d9ee8b295498p+0, -0x1.2c7ecfcb7ba45p-1, -0x1.7732995508f8ap-3,
+    -0x1.834c6e81c3431p-5, -0x1.e2f1a9d0b168bp-7, -0x1.5b2987b40cfddp-8, -0x1.747dd761f8e1dp-10,
+    -0x1.49e346ea77750p-12, -0x1.6f78572a945dep-14, -0x1.e459ac19c9051p-16, -0x1.d7fcdbdcf1bdbp-18
+};
+GS_TABLE(gs_w0_ratio_lean8) = {
+    0x1.cf4e7e23cc71bp+7, 0x1.726d2e0b40403p+6, 0x1.4f8743366c0b8p+5, 0x1.cea301374f5d6p+3,
+    0x1.04e8d968e1fb4p+2, 0x1.567155de9dd37p+0, 0x1.fa39cb8864cc5p-2, 0x1.12966863bd943p-3,
+    0x1.e2b513d94f151p-6, 0x1.0619f21a555fbp-7, 0x1.4dca23d98dc8ep-9, 0x1.31c8bb6cf03d4p-11,
+    0x1.c58348559dbc9p-14, 0x1.b29ce846a76aep-16, 0x1.f6bd199c22d66p-18, 0x1.9deed9abeba82p-20
+};
+
+static inline gs_v gs_w0_ratio_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.4000000000000p-2));
+    const gs_index i = gs_piece(u, 4085, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_w0_ratio_centre, i));
+    const gs_v q8 = gs_pick(gs_w0_ratio_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_w0_ratio_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_w0_ratio_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_w0_ratio_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_w0_ratio_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_w0_ratio_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_w0_ratio_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_w0_ratio_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_w0_ratio_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_sine_lean0) = {
+    0x0.0p+0, 0x1.7fdc01032fba9p-5, 0x1.3facb12d1755bp-4, 0x1.bf1b78568391dp-4,
+    0x1.3eb312c5d66cbp-3, 0x1.bc6f84edc6199p-3, 0x1.1c37d64c6b876p-2, 0x1.591bc9fa2f597p-2,
+    0x1.b1d8305321617p-2, 0x1.110d0c4b69c3bp-1, 0x1.44eb381cf386bp-1, 0x1.73b7680dea578p-1,
+    0x1.aed548f090ceep-1, 0x1.e5e14fe11418cp-1, 0x1.feb7a9b2c6d8bp-1, 0x1.f7cd018b18246p-1
+};
+GS_TABLE(gs_sine_lean1) = {
+    0x1.0000000000000p+0, 0x1.ff7006bfdf99cp-1, 0x1.fe7034129ef6cp-1, 0x1.fcf0c800e99aep-1,
+    0x1.f9c340a7cc375p-1, 0x1.f3cc7c3b3d0bcp-1, 0x1.ebe214f76eef9p-1, 0x1.e20bf49acd616p-1,
+    0x1.cfc6cfa528467p-1, 0x1.b11d041627e47p-1, 0x1.8bb105a5da5d5p-1, 0x1.6018526f54494p-1,
+    0x1.14a280faee166p-1, 0x1.42e3dd884ad22p-2, 0x1.21bd54fbf89fcp-4, -0x1.6d0c449cbcd9cp-3
+};
+GS_TABLE(gs_sine_lean2) = {
+    -0x1.d4142e56507a0p-43, -0x1.7fdc01032fba8p-6, -0x1.3facb12d1755bp-5, -0x1.bf1b78568391cp-5,
+    -0x1.3eb312c5d66afp-4, -0x1.bc6f84edc6171p-4, -0x1.1c37d64c6b85dp-3, -0x1.591bc9fa2f578p-3,
+    -0x1.b1d8305320c73p-3, -0x1.110d0c4b6962ap-2, -0x1.44eb381cf3133p-2, -0x1.73b7680de9d36p-2,
+    -0x1.aed548f06a860p-2, -0x1.e5e14fe0e8ebap-2, -0x1.feb7a9b299769p-2, -0x1.f7cd018aeb5f9p-2
+};
+GS_TABLE(gs_sine_lean3) = {
+    -0x1.55555552aab76p-3, -0x1.54f559d4e4d00p-3, -0x1.544acd616490dp-3, -0x1.534b300041426p-3,
+    -0x1.512cd5bf9441fp-3, -0x1.4d32fd7745c64p-3, -0x1.47ec0df4d2e1dp-3, -0x1.415d4db72dd2cp-3,
+    -0x1.352f34c6561b4p-3, -0x1.20be026c73ccfp-3, -0x1.07cb58d2e6efcp-3, -0x1.d575c2c1f002ep-4,
+    -0x1.70d8a5d48ffeep-4, -0x1.ae852034bfc9ep-5, -0x1.8251c0361dbd4p-7, 0x1.e6bafe0b02022p-6
+};
+GS_TABLE(gs_sine_lean4) = {
+    -0x1.6c10811317524p-27, 0x1.ffd0015950bafp-10, 0x1.aa3b96e690f2ep-9, 0x1.2a125039854dcp-8,
+    0x1.a8eec3aee8b9dp-8, 0x1.284a589c0bfdep-7, 0x1.7af51db8119c3p-7, 0x1.cc250d49bed75p-7,
+    0x1.213acabb8693ep-6, 0x1.6c11658958605p-6, 0x1.b1399fecd7a93p-6, 0x1.ef9f3525cf167p-6,
+    0x1.1f38d8e679e45p-5, 0x1.43eb87e337be5p-5, 0x1.547a6e4bb3ce6p-5, 0x1.4fddfe3b14e4dp-5
+};
+GS_TABLE(gs_sine_lean5) = {
+    0x1.11168d5463d94p-7, 0x1.10c39205cf305p-7, 0x1.103b22045decap-7, 0x1.0f6ea4a5620dep-7,
+    0x1.0dbaa8857fd9dp-7, 0x1.0a8c6a6091126p-7, 0x1.0653b606e2645p-7, 0x1.0114c3d2c1774p-7,
+    0x1.ee9d522a60f32p-8, 0x1.cde991a03610ep-8, 0x1.a600925f898ebp-8, 0x1.7781c335cc4c4p-8,
+    0x1.26e2923d2bbecp-8, 0x1.583122cd349a1p-9, 0x1.34dab9b97d32fp-11, -0x1.85218a1764579p-10
+};
+GS_TABLE(gs_sine_lean6) = {
+    -0x1.38106edcb6306p-16, -0x1.10f6efb429279p-14, -0x1.c6a512f8b9446p-14, -0x1.3df0c7ab5bca3p-13,
+    -0x1.c53f685dbaf40p-13, -0x1.3c08911dbd667p-12, -0x1.94357fd0aaf51p-12, -0x1.eace5ab1c86a0p-12,
+    -0x1.3479569535396p-11, -0x1.844ab05cf760fp-11, -0x1.ce0ce4d72e28ep-11, -0x1.084ca6be8d63fp-10,
+    -0x1.32387e0f20d32p-10, -0x1.595898f3bf03fp-10, -0x1.6affe2565212cp-10, -0x1.66155d7381991p-10
+};
+
+static inline gs_v gs_sine_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-3));
+    const gs_index i = gs_piece(u, 4080, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_sine_centre, i));
+    const gs_v q6 = gs_pick(gs_sine_lean6, i);
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_sine_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_sine_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_sine_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_sine_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_sine_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_sine_lean0, i));
+    return r;
+}
+
+static inline gs_v gs_phi1m_range0_lean(gs_v x)
+{
+    const gs_v f = gs_phi1m_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_phi1m_range1_lean(gs_v x)
+{
+    const gs_v f = gs_phi1m_tail_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_phi1m_range2_lean(gs_v x)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v r = y_q;
+    return r;
+}
+
+static GS_RARE gs_v gs_phi1m_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+    r = gs_select(here, gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
+    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+    r = gs_select(here, gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
+    return r;
+}
+
+/* (1 - exp(-z))/z, of vectors inside the domain. */
+static inline gs_v gs_phi1m_all(gs_v x)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
+    const gs_v r = gs_phi1m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+    return gs_all(here) ? r : gs_phi1m_rarely_lean(x, r);
+}
+
+static inline gs_v gs_phi2m_range0_lean(gs_v x)
+{
+    const gs_v f = gs_phi2m_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_phi2m_range1_lean(gs_v x)
+{
+    const gs_v f = gs_phi2m_tail_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_phi2m_range2_lean(gs_v x)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v square_h = gs_mul(y_q, y_q);
+    const gs_v minus = gs_mul(square_h, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v f_s = gs_add(y_q, minus);
+    const gs_v r = f_s;
+    return r;
+}
+
+static GS_RARE gs_v gs_phi2m_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+    r = gs_select(here, gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
+    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+    r = gs_select(here, gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
+    return r;
+}
+
+/* (z - 1 + exp(-z))/z^2, of vectors inside the domain. */
+static inline gs_v gs_phi2m_all(gs_v x)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
+    const gs_v r = gs_phi2m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+    return gs_all(here) ? r : gs_phi2m_rarely_lean(x, r);
+}
+
+static inline gs_v gs_descent_factor_range0_lean(gs_v x)
+{
+    const gs_v f = gs_descent_factor_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_descent_factor_range1_lean(gs_v x)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v half = gs_mul(x, gs_v_of(0x1.0000000000000p-1));
+    const gs_v f_s = gs_add(half, y_q);
+    const gs_v r = f_s;
+    return r;
+}
+
+static inline gs_v gs_descent_factor_range2_lean(gs_v x)
+{
+    const gs_v r = x;
+    return r;
+}
+
+static GS_RARE gs_v gs_descent_factor_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
+    r = gs_select(here, gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3))), r);
+    here = gs_at_least(x, gs_v_of(INFINITY));
+    r = gs_select(here, gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    return r;
+}
+
+/* tau/p with tau - 1 + exp(-tau) = p^2/2, of vectors inside the domain. */
+static inline gs_v gs_descent_factor_all(gs_v x)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.2c00000000000p+3));
+    const gs_v r = gs_descent_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+    return gs_all(here) ? r : gs_descent_factor_rarely_lean(x, r);
+}
+
+static inline gs_v gs_flight_factor_range0_lean(gs_v x)
+{
+    const gs_v f = gs_flight_factor_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_flight_factor_range1_lean(gs_v x)
+{
+    const gs_v f = gs_flight_tail_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_flight_factor_range2_lean(gs_v x)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
+    const gs_v f_s = gs_add(y_q, gs_v_of(0x1.0000000000000p-1));
+    const gs_v r = f_s;
+    return r;
+}
+
+static GS_RARE gs_v gs_flight_factor_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
+    r = gs_select(here, gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+3))), r);
+    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
+    r = gs_select(here, gs_flight_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7))), r);
+    return r;
+}
+
+/* T/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
+static inline gs_v gs_flight_factor_all(gs_v x)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+3));
+    const gs_v r = gs_flight_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+    return gs_all(here) ? r : gs_flight_factor_rarely_lean(x, r);
+}
+
+static inline gs_v gs_range_factor_range0_lean(gs_v x)
+{
+    const gs_v f = gs_range_factor_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_range_factor_range1_lean(gs_v x)
+{
+    const gs_v f = gs_range_tail_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_range_factor_range2_lean(gs_v x)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
+    const gs_v r = y_q;
+    return r;
+}
+
+static GS_RARE gs_v gs_range_factor_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+    r = gs_select(here, gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+    r = gs_select(here, gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    return r;
+}
+
+/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
+static inline gs_v gs_range_factor_all(gs_v x)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
+    const gs_v r = gs_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+    return gs_all(here) ? r : gs_range_factor_rarely_lean(x, r);
+}
+
+static inline gs_v gs_range_loss_range0_lean(gs_v x)
+{
+    const gs_v g = gs_grown_loss_lean(x);
+    const gs_v more_s = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_v square_h = gs_mul(more_s, more_s);
+    const gs_v f_q = gs_div(g, square_h);
+    const gs_v r = f_q;
+    return r;
+}
+
+static inline gs_v gs_range_loss_range1_lean(gs_v x)
+{
+    const gs_v g = gs_grown_loss_tail_lean(x);
+    const gs_v more_s = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_v square_h = gs_mul(more_s, more_s);
+    const gs_v f_q = gs_div(g, square_h);
+    const gs_v r = f_q;
+    return r;
+}
+
+static inline gs_v gs_range_loss_range2_lean(gs_v x)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v half = gs_mul(y_q, gs_v_of(0x1.0000000000000p-1));
+    const gs_v f_h = gs_mul(half, y_q);
+    const gs_v r = f_h;
+    return r;
+}
+
+static GS_RARE gs_v gs_range_loss_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+    r = gs_select(here, gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+    r = gs_select(here, gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    return r;
+}
+
+/* the slope of range_factor, negative, of vectors inside the domain. */
+static inline gs_v gs_range_loss_all(gs_v x)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
+    const gs_v r = gs_range_loss_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+    return gs_all(here) ? r : gs_range_loss_rarely_lean(x, r);
+}
+
+static inline gs_v gs_grown_balance_range0_lean(gs_v x)
+{
+    const gs_v f = gs_grown_balance_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_grown_balance_range1_lean(gs_v x)
+{
+    const gs_v f = gs_grown_balance_tail_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_grown_balance_range2_lean(gs_v x)
+{
+    const gs_v e = gs_v_of(0x1.78b56362cef38p-2);
+    const gs_v e_lo = gs_v_of(-0x1.ca8a4270fadf5p-57);
+    const gs_v f_h = gs_mul(x, e);
+    const gs_v f_e1 = gs_mul(x, e_lo);
+    const gs_v f = gs_add(f_h, f_e1);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_grown_balance_range3_lean(gs_v x)
+{
+    const gs_v r = x;
+    return r;
+}
+
+static GS_RARE gs_v gs_grown_balance_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+    r = gs_select(here, gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+    r = gs_select(here, gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    here = gs_at_least(x, gs_v_of(INFINITY));
+    r = gs_select(here, gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    return r;
+}
+
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
+static inline gs_v gs_grown_balance_all(gs_v x)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
+    const gs_v r = gs_grown_balance_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+    return gs_all(here) ? r : gs_grown_balance_rarely_lean(x, r);
+}
+
+static inline gs_v gs_max_range_factor_range0_lean(gs_v x)
+{
+    const gs_v f = gs_max_range_factor_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_max_range_factor_range1_lean(gs_v x)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    const gs_v half_part = gs_log_lean(half_m);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_off = gs_mul(half_k, gs_v_of(0x1.ef35793c76730p-45));
+    const gs_v half = gs_add(half_s, half_off);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_mul(c, z);
+    const gs_v y = gs_add(less_s, off);
+    const gs_v w = gs_omega_lean(y);
+    const gs_v t_s = gs_add(w, gs_v_of(0x1.0000000000000p+1));
+    const gs_v n_h = gs_mul(t_s, w);
+    const gs_v b = gs_min(a, gs_v_of(0x1.0000000000000p+500));
+    const gs_v square_h = gs_mul(b, b);
+    const gs_v d_s = gs_add(square_h, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v v_q = gs_div(n_h, d_s);
+    const gs_v minus = gs_mul(v_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v left_s = gs_add(minus, gs_v_of(0x1.0000000000000p+0));
+    const gs_v top = gs_sqrt(left_s);
+    const gs_v factor_q = gs_div(top, a);
+    const gs_v r = factor_q;
+    return r;
+}
+
+static inline gs_v gs_max_range_factor_range2_lean(gs_v x)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v q = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v r = q;
+    return r;
+}
+
+static inline gs_v gs_max_range_factor_range3_lean(gs_v x)
+{
+    const gs_v r = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    return r;
+}
+
+static GS_RARE gs_v gs_max_range_factor_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
+    r = gs_select(here, gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
+    r = gs_select(here, gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554))), r);
+    here = gs_at_least(x, gs_v_of(INFINITY));
+    r = gs_select(here, gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    return r;
+}
+
+/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, of vectors inside the domain. */
+static inline gs_v gs_max_range_factor_all(gs_v x)
+{
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
+    const gs_v r = gs_max_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+    return gs_all(here) ? r : gs_max_range_factor_rarely_lean(x, r);
+}
+
+static inline gs_v gs_acot_range0_lean(gs_v x)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v f = gs_arctangent_lean(y_q);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_acot_range1_lean(gs_v x)
+{
+    const gs_mask felt = gs_at_least(x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v y = gs_select(felt, x, gs_v_of(0x0.0p+0));
+    const gs_v f = gs_arctangent_lean(y);
+    const gs_v minus = gs_mul(f, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v right = gs_v_of(0x1.921fb54442d18p+0);
+    const gs_v right_lo = gs_v_of(0x1.1a62633145c07p-54);
+    const gs_v a_s = gs_add(right, minus);
+    const gs_v a = gs_add(a_s, right_lo);
+    const gs_v r = a;
+    return r;
+}
+
+static inline gs_v gs_acot_range2_lean(gs_v x)
+{
+    const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
+    const gs_v r = y_q;
+    return r;
+}
+
+static GS_RARE gs_v gs_acot_rarely_lean(gs_v x, gs_v r)
+{
+    gs_mask here;
+    here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
+    r = gs_select(here, gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0))), r);
+    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
+    r = gs_select(here, gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100))), r);
+    return r;
+}
+
+/* the angle in [0, pi/2] whose cotangent is x, of vectors inside the domain. */
+static inline gs_v gs_acot_all(gs_v x)
+{
+    const gs_mask here = gs_within(x, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
+    const gs_v r = gs_acot_range0_lean(gs_select(here, x, gs_v_of(0x1.2000000000000p-2)));
+    return gs_all(here) ? r : gs_acot_rarely_lean(x, r);
+}
+
+static inline gs_v gs_best_sine_range0_lean(gs_v x)
+{
+    const gs_v f = gs_best_sine_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_best_angle_range0_lean(gs_v x)
+{
+    const gs_v f = gs_best_angle_lean(x);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_w0_offset_range0_lean(gs_v x)
+{
+    const gs_v twice = gs_mul(x, gs_v_of(0x1.0000000000000p+1));
+    const gs_v p = gs_sqrt(twice);
+    const gs_v f = gs_rise_factor_lean(p);
+    const gs_v w_h = gs_mul(p, f);
+    const gs_v r = w_h;
+    return r;
+}
+
+static inline gs_v gs_wm1_offset_range0_lean(gs_v x)
+{
+    const gs_v twice = gs_mul(x, gs_v_of(0x1.0000000000000p+1));
+    const gs_v p = gs_sqrt(twice);
+    const gs_v f = gs_fall_factor_lean(p);
+    const gs_v w_h = gs_mul(p, f);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w_h);
+    return r;
+}
+
+static inline gs_v gs_w0_range0_lean(gs_v x)
+{
+    const gs_v sum = gs_add(x, gs_v_of(0x1.78b56362cef38p-2));
+    const gs_v delta = gs_add(sum, gs_v_of(-0x1.ca8a4270fadf5p-57));
+    const gs_v q = gs_sqrt(delta);
+    const gs_v h = gs_w0_ratio_lean(q);
+    const gs_v distance = gs_abs(x);
+    const gs_mask felt = gs_at_least(distance, gs_v_of(0x1.0000000000000p-250));
+    const gs_v y = gs_select(felt, x, gs_v_of(0x0.0p+0));
+    const gs_v minus = gs_mul(y, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v g_s = gs_add(gs_v_of(0x1.0000000000000p+0), minus);
+    const gs_v g_square = gs_mul(y, y);
+    const gs_v g_tail = gs_fma(y, gs_v_of(-0x1.5555555555555p+1), gs_v_of(0x1.8000000000000p+0));
+    const gs_v g_off = gs_mul(g_square, g_tail);
+    const gs_v g = gs_add(g_s, g_off);
+    const gs_mask close = gs_less(distance, gs_v_of(0x1.0000000000000p-20));
+    const gs_v f = gs_select(close, g, h);
+    const gs_v w_h = gs_mul(x, f);
+    const gs_v size = gs_abs(w_h);
+    const gs_v r = gs_flip(size, x);
+    return r;
+}
+
+static inline gs_v gs_wm1_range0_lean(gs_v x)
+{
+    const gs_v m0 = gs_abs(x);
+    const gs_v m = gs_mul(m0, gs_v_of(0x1.0000000000000p+0));
+    const gs_v y_k0 = gs_exponent(m);
+    const gs_v y_k = gs_sub(y_k0, gs_v_of(0x0.0p+0));
+    const gs_v y_m = gs_mantissa(m);
+    const gs_v y_part = gs_log_lean(y_m);
+    const gs_v y_whole = gs_mul(y_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v y_s = gs_add(y_whole, y_part);
+    const gs_v y_off = gs_mul(y_k, gs_v_of(0x1.ef35793c76730p-45));
+    const gs_v y = gs_add(y_s, y_off);
+    const gs_v z = gs_mul(y, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v twice_s = gs_add(z, gs_v_of(-0x1.0000000000000p+1));
+    const gs_v p = gs_sqrt(twice_s);
+    const gs_v f = gs_fall_factor_lean(p);
+    const gs_v w_h = gs_mul(p, f);
+    const gs_v v_s = gs_add(w_h, gs_v_of(0x1.0000000000000p+0));
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), v_s);
+    return r;
+}
+
+static inline gs_v gs_exp_minus_range0_lean(gs_v x)
+{
+    const gs_v u = gs_fma(x, gs_v_of(0x1.71547652b82fep+4), gs_v_of(0x1.8000000000000p+52));
+    const gs_v k = gs_sub(u, gs_v_of(0x1.8000000000000p+52));
+    const gs_index j = gs_low_index(u);
+    const gs_v power = gs_power(u);
+    const gs_v t_hi = gs_product_rest(k, gs_v_of(0x1.62e42fefa0000p-5), x);
+    const gs_v t = gs_fma(k, gs_v_of(0x1.cf79abc9e3b3ap-44), t_hi);
+    const gs_v t_off = gs_sub(t_hi, t);
+    const gs_v t_lo = gs_fma(k, gs_v_of(0x1.cf79abc9e3b3ap-44), t_off);
+    const gs_mask felt = gs_at_least(x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v base = gs_select(felt, t, gs_v_of(0x0.0p+0));
+    const gs_v square = gs_mul(base, base);
+    const gs_v q8 = gs_v_of(0x1.a01a01a01a01ap-16);
+    const gs_v q7 = gs_fma(q8, t, gs_v_of(0x1.a01a01a01a01ap-13));
+    const gs_v q6 = gs_fma(q7, t, gs_v_of(0x1.6c16c16c16c17p-10));
+    const gs_v q5 = gs_fma(q6, t, gs_v_of(0x1.1111111111111p-7));
+    const gs_v q4 = gs_fma(q5, t, gs_v_of(0x1.5555555555555p-5));
+    const gs_v q3 = gs_fma(q4, t, gs_v_of(0x1.5555555555555p-3));
+    const gs_v q2 = gs_fma(q3, t, gs_v_of(0x1.0000000000000p-1));
+    const gs_v h = gs_fma(square, q2, t_lo);
+    const gs_v c = gs_pick(gs_exp_minus_sixteenth, j);
+    const gs_v p = gs_mul(c, t);
+    const gs_v p_lo = gs_mul(c, h);
+    const gs_v s = gs_add(c, p);
+    const gs_v hi = gs_add(s, p_lo);
+    const gs_v r = gs_mul(hi, power);
+    return r;
+}
+
+static inline gs_v gs_sin_range0_lean(gs_v x)
+{
+    const gs_mask felt = gs_at_least(x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v y = gs_select(felt, x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v f = gs_sine_lean(y);
+    const gs_v r = gs_select(felt, f, x);
+    return r;
+}
+
+static inline gs_v gs_cos_range0_lean(gs_v x)
+{
+    const gs_v y0 = gs_sub(gs_v_of(0x1.921fb54442d18p+0), x);
+    const gs_v y0_rest = gs_sub(gs_v_of(0x1.921fb54442d18p+0), y0);
+    const gs_v y0_lo = gs_sub(y0_rest, x);
+    const gs_v y_off = gs_add(y0_lo, gs_v_of(0x1.1a62633145c07p-54));
+    const gs_v y = gs_add(y0, y_off);
+    const gs_v f = gs_sine_lean(y);
+    const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_arctan_range0_lean(gs_v x)
+{
+    const gs_mask felt = gs_at_least(x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v y = gs_select(felt, x, gs_v_of(0x1.0000000000000p-250));
+    const gs_v f = gs_arctangent_lean(y);
+    const gs_v r = gs_select(felt, f, x);
+    return r;
+}
+
+#endif
+
+/* |theta|'s sine and cosine, and what has the sign of theta. */
+typedef struct {
+    gs_v s, c, sign;
+} gs_turn_single;
+
+/* The float next to pi/2, which lies above it, counts as pi/2. */
+#define GS_HALF_TURN_SINGLE 0x1.921fb6p+0
+
+static inline double gs_wide_angle(float theta)
+{
+    const double x = theta;
+    return fabs(x) == GS_HALF_TURN_SINGLE ? copysign(GS_HALF_TURN_0, x) : x;
+}
+
+static inline const float *gs_padded_single(float *pad, const float *x, size_t count)
+{
+    for (size_t j = 0; j < GS_LANES; j++)
+        pad[j] = x[j < count ? j : count - 1];
+    return pad;
+}
+
+static inline gs_v gs_s_constant(double x) { return gs_v_of(x); }
+static inline gs_v gs_s_mul(gs_v a, gs_v b) { return gs_mul(a, b); }
+static inline gs_v gs_s_div(gs_v a, gs_v b) { return gs_div(a, b); }
+static inline gs_v gs_s_sqrt(gs_v a) { return gs_sqrt(a); }
+static inline gs_v gs_s_scaled(gs_v a, double unit) { return gs_mul(a, gs_v_of(unit)); }
+
+/* Sums: well enough unless nearly all cancels. */
+static inline gs_v gs_s_kept(gs_v r, gs_v a, gs_mask *good)
+{
+    *good = gs_both(*good, gs_at_least(gs_abs(r), gs_mul(gs_abs(a), gs_v_of(0x1p-20))));
+    return r;
+}
+static inline gs_v gs_s_add(gs_v a, gs_v b, gs_mask *good) { return gs_s_kept(gs_add(a, b), a, good); }
+static inline gs_v gs_s_sub(gs_v a, gs_v b, gs_mask *good) { return gs_s_kept(gs_sub(a, b), a, good); }
+
+static inline gs_turn_single gs_s_angle(gs_v theta)
+{
+    const gs_v size = gs_min(gs_abs(theta), gs_v_of(GS_HALF_TURN_0)), big = gs_v_of(0x1.8p+52);
+    const gs_mask far = gs_at_least(size, gs_v_of(GS_QUARTER_TURN));
+    const gs_v left = gs_add(gs_sub(gs_v_of(GS_HALF_TURN_0), size), gs_v_of(GS_HALF_TURN_1));
+    const gs_v x = gs_select(far, left, size);
+    const gs_v u = gs_fma(x, gs_v_of(GS_TURNS_A_RADIAN), big);
+    const gs_index i = gs_low_index(u);
+    const gs_v d = gs_fnma(gs_sub(u, big), gs_v_of(GS_TURN_STEP), x);
+    const gs_v s = gs_pick(gs_turn_sine, i), c = gs_pick(gs_turn_cosine, i);
+    const gs_v q = gs_mul(d, d);
+    gs_v over = gs_fma(q, gs_v_of(0x1.1111111111111p-7), gs_v_of(-0x1.5555555555555p-3));
+    over = gs_fma(gs_mul(over, q), d, d); /* sin(d) */
+    gs_v less = gs_fma(q, gs_v_of(-0x1.6c16c16c16c17p-10), gs_v_of(0x1.5555555555555p-5));
+    less = gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q); /* cos(d) - 1 */
+    const gs_v sine = gs_fma(c, over, gs_fma(s, less, s));
+    const gs_v cosine = gs_fnma(s, over, gs_fma(c, less, c));
+    const gs_turn_single r = {gs_select(far, cosine, sine), gs_select(far, sine, cosine), theta};
+    return r;
+}
+
+static inline gs_v gs_s_sine(gs_turn_single a) { return gs_flip(a.s, a.sign); }
+static inline gs_v gs_s_cosine(gs_turn_single a) { return a.c; }
+
+static inline gs_v gs_s_driving(gs_turn_single a, gs_v mu, gs_mask *good, gs_mask *held)
+{
+    const gs_v n = gs_fnma(mu, a.s, a.c);
+    const gs_mask clear = gs_at_least(gs_abs(n), gs_mul(a.c, gs_v_of(0x1p-20)));
+    const gs_mask moves = gs_both(clear, gs_less(gs_v_of(0.0), n));
+    *good = gs_both(*good, clear);
+    *held = gs_not(moves);
+    return gs_select(moves, n, gs_v_of(1.0));
+}
+
+/* exp(-z): beyond 600 any product with floats is 0 in binary32. */
+static inline gs_v gs_s_phi0m(gs_v z) { return gs_exp_minus_range0_lean(gs_min(z, gs_v_of(600.0))); }
+
+static inline gs_v gs_s_phi1m(gs_v x) { return gs_phi1m_all(x); }
+static inline gs_v gs_s_phi2m(gs_v x) { return gs_phi2m_all(x); }
+static inline gs_v gs_s_descent_factor(gs_v x) { return gs_descent_factor_all(x); }
+static inline gs_v gs_s_flight_factor(gs_v x) { return gs_flight_factor_all(x); }
+static inline gs_v gs_s_range_factor(gs_v x) { return gs_range_factor_all(x); }
+static inline gs_v gs_s_range_loss(gs_v x) { return gs_range_loss_all(x); }
+static inline gs_v gs_s_grown_balance(gs_v x) { return gs_grown_balance_all(x); }
+static inline gs_v gs_s_max_range_factor(gs_v x) { return gs_max_range_factor_all(x); }
+static inline gs_v gs_s_acot(gs_v x) { return gs_acot_all(x); }
+static inline gs_v gs_s_range_balance(gs_v b) { return gs_s_mul(gs_s_phi0m(b), gs_s_grown_balance(b)); }
+
+#endif
+
+/* Whether no number within 2^-34 of r lies on the other side of a tie between floats, nor among the subnormal ones. */
+static inline gs_mask gs_rounds_one_way(gs_v r)
+{
+    const gs_mask normal = gs_at_least(gs_abs(r), gs_v_of(0x1p-126));
+    return normal && ((gs_bits(r) + 0x10040000) & 0x1fffffff) >= 0x80000;
+}
+
+/* Two vectors a turn, so that each column of a table serves both. */
+#define GS_SINGLES(name)                                                                                               \
+    static GS_RARE gs_v gs_##name##_settled(gs_v wide)                                                                 \
+    {                                                                                                                  \
+        gs_v lo;                                                                                                       \
+        const gs_v hi = gs_##name##_value(wide, &lo);                                                                  \
+        return gs_to_odd(hi, lo);                                                                                      \
+    }                                                                                                                  \
+    void GS_JOIN(gs_##name##_ns, GS_SUFFIX)(size_t n, const float *x, float *value)                                    \
+    {                                                                                                                  \
+        float pad[2 * GS_LANES];                                                                                       \
+        gs_v r, s;                                                                                                     \
+        for (;;) {                                                                                                     \
+            const size_t here = n < 2 * GS_LANES ? n : 2 * GS_LANES;                                                   \
+            if (here == 0)                                                                                             \
+                return;                                                                                                \
+            if (here < 2 * GS_LANES) {                                                                                 \
+                for (size_t j = 0; j < 2 * GS_LANES; j++)                                                              \
+                    pad[j] = x[j < here ? j : here - 1];                                                               \
+                x = pad;                                                                                               \
+            }                                                                                                          \
+            const gs_v a = gs_v_widen(x), b = gs_v_widen(x + GS_LANES);                                                \
+            const gs_mask good = gs_##name##_quick(a, &r), fine = gs_##name##_quick(b, &s);                            \
+            if (!gs_all(gs_both(good, fine))) {                                                                        \
+                r = gs_all(good) ? r : gs_##name##_settled(a);                                                         \
+                s = gs_all(fine) ? s : gs_##name##_settled(b);                                                         \
+            }                                                                                                          \
+            if (here < 2 * GS_LANES) {                                                                                 \
+                gs_v_narrow(pad, r);                                                                                   \
+                gs_v_narrow(pad + GS_LANES, s);                                                                        \
+                memcpy(value, pad, here * sizeof *value);                                                              \
+                return;                                                                                                \
+            }                                                                                                          \
+            gs_v_narrow(value, r);                                                                                     \
+            gs_v_narrow(value + GS_LANES, s);                                                                          \
+            n -= 2 * GS_LANES, x += 2 * GS_LANES, value += 2 * GS_LANES;                                               \
+        }                                                                                                              \
+    }
+
+static inline gs_mask gs_phi1m_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
+    *r = gs_phi1m_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(phi1m)
+
+static inline gs_mask gs_phi2m_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
+    *r = gs_phi2m_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(phi2m)
+
+static inline gs_mask gs_descent_factor_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.2c00000000000p+3));
+    *r = gs_descent_factor_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(descent_factor)
+
+static inline gs_mask gs_flight_factor_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    *r = gs_flight_factor_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(flight_factor)
+
+static inline gs_mask gs_range_factor_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
+    *r = gs_range_factor_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(range_factor)
+
+static inline gs_mask gs_best_sine_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    *r = gs_best_sine_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(best_sine)
+
+static inline gs_mask gs_best_angle_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    *r = gs_best_angle_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(best_angle)
+
+static inline gs_mask gs_max_range_factor_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
+    *r = gs_max_range_factor_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(max_range_factor)
+
+static inline gs_mask gs_w0_offset_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.5f33333333333p+5));
+    *r = gs_w0_offset_range0_lean(gs_select(inside, m, gs_v_of(0x1.0000000000000p-900)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(w0_offset)
+
+static inline gs_mask gs_wm1_offset_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.c000000000000p+6));
+    *r = gs_wm1_offset_range0_lean(gs_select(inside, m, gs_v_of(0x1.0000000000000p-900)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(wm1_offset)
+
+static inline gs_mask gs_w0_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(0x1.5800000000000p+4));
+    *r = gs_w0_range0_lean(gs_select(inside, m, gs_v_of(-0x1.78b56362cef37p-2)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(w0)
+
+static inline gs_mask gs_wm1_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(-0x1.38ef34d6a161ep-2), gs_v_of(-0x1.2b50c6ec4f313p-163));
+    *r = gs_wm1_range0_lean(gs_select(inside, m, gs_v_of(-0x1.38ef34d6a161ep-2)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(wm1)
+
+static inline gs_mask gs_exp_minus_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = wide;
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.4000000000000p+9));
+    *r = gs_exp_minus_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(exp_minus)
+
+static inline gs_mask gs_sin_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = gs_abs(wide);
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.921fb54442d19p+0));
+    *r = gs_sin_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    *r = gs_flip(*r, wide);
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(sin)
+
+static inline gs_mask gs_cos_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = gs_abs(wide);
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.921fb54442d19p+0));
+    *r = gs_cos_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(cos)
+
+static inline gs_mask gs_arctan_quick(gs_v wide, gs_v *r)
+{
+    const gs_v m = gs_abs(wide);
+    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+1));
+    *r = gs_arctan_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
+    *r = gs_flip(*r, wide);
+    return gs_both(inside, gs_rounds_one_way(*r));
+}
+
+GS_SINGLES(arctan)
+#endif
+
+#define GS_VECTORS "plain"
+#define GS_DECLARE(name)
+#define GS_CHOOSE(name) name##_plain
+#define GS_CHOOSE_SINGLE(name) name##_plain
+
+/* 'divide by zero' for a pole at 0. Kernels do not raise it: the lanes that a short array leaves empty hold 0. */
+#define GS_POLE_AT_0(n, x)                                                                                             \
+    do {                                                                                                               \
+        int found = 0;                                                                                                 \
+        for (size_t i = 0; i < (n); i++)                                                                               \
+            found |= (x)[i] == 0;                                                                                      \
+        if (found)                                                                                                     \
+            feraiseexcept(FE_DIVBYZERO);                                                                               \
+    } while (0)
+#define GS_NO_POLE(n, x) (void)0
+
+/* Kernels may raise 'underflow' in what they select away: it stays where it is due, a result being tiny. */
+static void gs_excuse(int before, size_t n, const double *value, int zero_is_tiny)
+{
+    if (before || !fetestexcept(FE_UNDERFLOW))
+        return;
+    for (size_t i = 0; i < n; i++)
+        if (isless(fabs(value[i]), DBL_MIN) && (value[i] != 0.0 || zero_is_tiny))
+            return;
+    feclearexcept(FE_UNDERFLOW);
+}
+static void gs_excuse_single(int before, size_t n, const float *value, int zero_is_tiny)
+{
+    if (before || !fetestexcept(FE_UNDERFLOW))
+        return;
+    for (size_t i = 0; i < n; i++)
+        if (isless(fabsf(value[i]), FLT_MIN) && (value[i] != 0.0f || zero_is_tiny))
+            return;
+    feclearexcept(FE_UNDERFLOW);
+}
+
+#define GS_PUBLIC(name, LOOK, zero)                                                                                    \
+    GS_DECLARE(gs_##name)                                                                                              \
+    GS_LOOPS(name)                                                                                                     \
+    void gs_special_##name##_n(size_t n, const double *x, double *value)                                               \
+    {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
+        LOOK(n, x);                                                                                                    \
+        GS_CHOOSE(gs_##name##_n)(n, x, value);                                                                         \
+        gs_excuse(before, n, value, zero);                                                                             \
+    }                                                                                                                  \
+    void gs_special_##name##_nf(size_t n, const float *x, float *value)                                                \
+    {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
+        LOOK(n, x);                                                                                                    \
+        GS_CHOOSE(gs_##name##_ns)(n, x, value);                                                                        \
+        gs_excuse_single(before, n, value, zero);                                                                      \
+    }                                                                                                                  \
+    double gs_special_##name(double x)                                                                                 \
+    {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
+        LOOK(1, &x);                                                                                                   \
+        GS_CHOOSE_SINGLE(gs_##name##_n)(1, &x, &x);                                                                    \
+        gs_excuse(before, 1, &x, zero);                                                                                \
+        return x;                                                                                                      \
+    }                                                                                                                  \
+    float gs_special_##name##f(float x)                                                                                \
+    {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
+        LOOK(1, &x);                                                                                                   \
+        GS_CHOOSE_SINGLE(gs_##name##_ns)(1, &x, &x);                                                                   \
+        gs_excuse_single(before, 1, &x, zero);                                                                         \
+        return x;                                                                                                      \
+    }
+
+const char *gs_vectors(void) { return GS_VECTORS; }
+
+GS_PUBLIC(phi1m, GS_NO_POLE, 0)
+GS_PUBLIC(phi2m, GS_NO_POLE, 0)
+GS_PUBLIC(descent_factor, GS_NO_POLE, 0)
+GS_PUBLIC(flight_factor, GS_NO_POLE, 0)
+GS_PUBLIC(range_factor, GS_NO_POLE, 0)
+GS_PUBLIC(best_sine, GS_NO_POLE, 0)
+GS_PUBLIC(best_angle, GS_NO_POLE, 0)
+GS_PUBLIC(max_range_factor, GS_NO_POLE, 0)
+GS_PUBLIC(w0_offset, GS_NO_POLE, 0)
+GS_PUBLIC(wm1_offset, GS_NO_POLE, 0)
+GS_PUBLIC(w0, GS_NO_POLE, 0)
+GS_PUBLIC(wm1, GS_POLE_AT_0, 0)
+GS_PUBLIC(exp_minus, GS_NO_POLE, 1)
+GS_PUBLIC(sin, GS_NO_POLE, 0)
+GS_PUBLIC(cos, GS_NO_POLE, 0)
+GS_PUBLIC(arctan, GS_NO_POLE, 0)
+#undef GS_SUFFIX
+#undef GS_DECLARED
+#undef GS_DECLARE
+#undef GS_CHOOSE
+#undef GS_CHOOSE_SINGLE
+#undef GS_VECTORS
+#undef GS_POLE_AT_0
+#undef GS_NO_POLE
+#undef GS_PUBLIC
+
+/* ---- lanes.c ---- */
+/* The papers' formulas on one number at a time in plain C99, and the choice of the version for this machine. */
+
+#define GS_LANES 1
+#define GS_SUFFIX _plain
+#ifndef GALILEO_FORMS_H
+#define GALILEO_FORMS_H
+
 #ifndef GALILEO_SCALED_H
 #define GALILEO_SCALED_H
 
@@ -8120,6 +10593,47 @@ void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double
 
 /* stable.chord.descent_time.free, the stable form of chord.eq4.
  * Operations: 1 div, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, float *time_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            diameter_in = gs_padded_single(pad[1], diameter_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v diameter_here = gs_v_widen(diameter_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v D = gs_select(good, diameter_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+        gs_v time_here = t0;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], time_here);
+            memcpy(time_out, pad[3], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.free, the stable form of chord.eq4.
+ * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -8154,6 +10668,46 @@ void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const doubl
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.free, the stable form of chord.eq4.
+ * Operations: 1 div, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        gs_v time_here = t0;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[j]), diameter_in, g_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -8210,6 +10764,56 @@ void GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(size_t count, const do
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
  * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_friction_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *mu_in, float *time_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            diameter_in = gs_padded_single(pad[1], diameter_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v diameter_here = gs_v_widen(diameter_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v D = gs_select(good, diameter_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], mu_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
+ * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -8252,6 +10856,54 @@ void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const d
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
+ * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+void GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float mu_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[j]), diameter_in, g_in, mu_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -8304,6 +10956,52 @@ void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double
 
 /* stable.chord.descent_time.drag, the stable form of chord.eq36.
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *gamma_in, float *time_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            diameter_in = gs_padded_single(pad[1], diameter_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v diameter_here = gs_v_widen(diameter_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v D = gs_select(good, diameter_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+        const gs_v p = gs_s_mul(gamma, t0);
+        gs_v time_here = gs_s_mul(t0, gs_s_descent_factor(p));
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], gamma_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.drag, the stable form of chord.eq36.
+ * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double gamma_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -8343,6 +11041,51 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.drag, the stable form of chord.eq36.
+ * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float gamma_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+    const gs_v p = gs_s_mul(gamma, t0);
+    const gs_v once1 = gs_s_mul(t0, gs_s_descent_factor(p));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        gs_v time_here = once1;
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[j]), diameter_in, g_in, gamma_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -8404,6 +11147,61 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, con
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
  * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_friction_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *mu_in, const float *gamma_in, float *time_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            diameter_in = gs_padded_single(pad[1], diameter_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v diameter_here = gs_v_widen(diameter_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v D = gs_select(good, diameter_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
+        const gs_v p = gs_s_mul(gamma, t0);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, gs_s_descent_factor(p)));
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], mu_in[j], gamma_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], time_here);
+            memcpy(time_out, pad[5], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
+ * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double gamma_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -8454,6 +11252,58 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, co
     }
 }
 
+/* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
+ * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float mu_in, float gamma_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v diameter_here = gs_v_of(diameter_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(diameter_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
+        const gs_v p = gs_s_mul(gamma, t0);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, gs_s_descent_factor(p)));
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[j]), diameter_in, g_in, mu_in, gamma_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
 /* stable.chord.distance.free, the stable form of chord.eq1.
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *distance_out)
@@ -8500,6 +11350,50 @@ void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_
 
 /* stable.chord.distance.free, the stable form of chord.eq1.
  * Operations: 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *distance_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        gs_v distance_here = gs_s_scaled(gs_s_mul(fall, C), 0.5);
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], distance_here);
+            memcpy(distance_out, pad[3], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.free, the stable form of chord.eq1.
+ * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *distance_out)
 {
     double pad[3][GS_LANES];
@@ -8538,6 +11432,50 @@ void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t
             return;
         }
         gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.free, the stable form of chord.eq1.
+ * Operations: 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *distance_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        gs_v distance_here = gs_s_scaled(gs_s_mul(fall, C), 0.5);
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], gs_wide_angle(theta_in[j]), g_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
     }
 }
@@ -8593,6 +11531,55 @@ void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double
 
 /* stable.chord.distance.friction, the stable form of chord.eq15.
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *distance_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(fall, n), 0.5));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], distance_here);
+            memcpy(distance_out, pad[4], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *distance_out)
 {
     double pad[3][GS_LANES];
@@ -8635,6 +11622,54 @@ void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const doubl
             return;
         }
         gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *distance_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(fall, n), 0.5));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
     }
 }
@@ -8690,6 +11725,55 @@ void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_
 
 /* stable.chord.distance.drag, the stable form of chord.eq29.
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *distance_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], distance_here);
+            memcpy(distance_out, pad[4], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.drag, the stable form of chord.eq29.
+ * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *distance_out)
 {
     double pad[3][GS_LANES];
@@ -8732,6 +11816,54 @@ void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t
             return;
         }
         gs_v_store(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.drag, the stable form of chord.eq29.
+ * Operations: 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *distance_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
     }
 }
@@ -8792,6 +11924,60 @@ void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const d
 
 /* stable.chord.distance.friction_drag, the stable form of chord.eq41.
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *distance_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z)));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j]);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], distance_here);
+            memcpy(distance_out, pad[5], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
+/* stable.chord.distance.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *distance_out)
 {
     double pad[3][GS_LANES];
@@ -8842,6 +12028,58 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     }
 }
 
+/* stable.chord.distance.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *distance_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z)));
+        if (!gs_all(good)) {
+            double distance_each[GS_LANES];
+            gs_v_store(distance_each, distance_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in);
+            distance_here = gs_v_load(distance_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], distance_here);
+            memcpy(distance_out, pad[2], here * sizeof *distance_out);
+            return;
+        }
+        gs_v_narrow(distance_out, distance_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+    }
+}
+
 /* stable.chord.speed.free, the stable form of chord.eq1.
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *speed_out)
@@ -8887,6 +12125,49 @@ void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in,
 
 /* stable.chord.speed.free, the stable form of chord.eq1.
  * Operations: 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *speed_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], speed_here);
+            memcpy(speed_out, pad[3], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.free, the stable form of chord.eq1.
+ * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *speed_out)
 {
     double pad[3][GS_LANES];
@@ -8924,6 +12205,49 @@ void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in
             return;
         }
         gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.free, the stable form of chord.eq1.
+ * Operations: 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *speed_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], gs_wide_angle(theta_in[j]), g_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
     }
 }
@@ -8978,6 +12302,54 @@ void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t
 
 /* stable.chord.speed.friction, the stable form of chord.eq15.
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *speed_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], speed_here);
+            memcpy(speed_out, pad[4], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *speed_out)
 {
     double pad[3][GS_LANES];
@@ -9019,6 +12391,53 @@ void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *
             return;
         }
         gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction, the stable form of chord.eq15.
+ * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *speed_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
     }
 }
@@ -9073,6 +12492,54 @@ void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in,
 
 /* stable.chord.speed.drag, the stable form of chord.eq29.
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *speed_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), gs_s_phi1m(z));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], speed_here);
+            memcpy(speed_out, pad[4], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.drag, the stable form of chord.eq29.
+ * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *speed_out)
 {
     double pad[3][GS_LANES];
@@ -9114,6 +12581,53 @@ void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in
             return;
         }
         gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.drag, the stable form of chord.eq29.
+ * Operations: 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *speed_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), gs_s_phi1m(z));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
     }
 }
@@ -9173,6 +12687,59 @@ void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const doub
 
 /* stable.chord.speed.friction_drag, the stable form of chord.eq41.
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *speed_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), gs_s_phi1m(z)));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j]);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], speed_here);
+            memcpy(speed_out, pad[5], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *speed_out)
 {
     double pad[3][GS_LANES];
@@ -9218,6 +12785,57 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
             return;
         }
         gs_v_store(speed_out, speed_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+    }
+}
+
+/* stable.chord.speed.friction_drag, the stable form of chord.eq41.
+ * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *speed_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), gs_s_phi1m(z)));
+        if (!gs_all(good)) {
+            double speed_each[GS_LANES];
+            gs_v_store(speed_each, speed_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in);
+            speed_here = gs_v_load(speed_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], speed_here);
+            memcpy(speed_out, pad[2], here * sizeof *speed_out);
+            return;
+        }
+        gs_v_narrow(speed_out, speed_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
     }
 }
@@ -9276,6 +12894,58 @@ void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_
 
 /* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
  * Operations: 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *x_out, float *y_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v shared = gs_s_mul(fall, C);
+        const gs_v S = gs_s_sine(a);
+        gs_v x_here = gs_s_scaled(gs_s_mul(shared, S), 0.5);
+        gs_v y_here = gs_s_scaled(gs_s_mul(shared, C), 0.5);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], x_here);
+            memcpy(x_out, pad[3], here * sizeof *x_out);
+            gs_v_narrow(pad[4], y_here);
+            memcpy(y_out, pad[4], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
+ * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -9322,6 +12992,58 @@ void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
+ * Operations: 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v shared = gs_s_mul(fall, C);
+        const gs_v S = gs_s_sine(a);
+        gs_v x_here = gs_s_scaled(gs_s_mul(shared, S), 0.5);
+        gs_v y_here = gs_s_scaled(gs_s_mul(shared, C), 0.5);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_free(t_in[j], gs_wide_angle(theta_in[j]), g_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -9386,6 +13108,64 @@ void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double
 
 /* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *x_out, float *y_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v shared = gs_s_mul(fall, n);
+        const gs_v S = gs_s_sine(a);
+        const gs_v C = gs_s_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, S), 0.5));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, C), 0.5));
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_narrow(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -9437,6 +13217,63 @@ void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const doubl
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
+ * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v shared = gs_s_mul(fall, n);
+        const gs_v S = gs_s_sine(a);
+        const gs_v C = gs_s_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, S), 0.5));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, C), 0.5));
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -9500,6 +13337,63 @@ void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_
 
 /* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *x_out, float *y_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
+        const gs_v S = gs_s_sine(a);
+        gs_v x_here = gs_s_mul(shared, S);
+        gs_v y_here = gs_s_mul(shared, C);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_narrow(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
+ * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -9550,6 +13444,62 @@ void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
+ * Operations: 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
+        const gs_v S = gs_s_sine(a);
+        gs_v x_here = gs_s_mul(shared, S);
+        gs_v y_here = gs_s_mul(shared, C);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -9619,6 +13569,69 @@ void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const d
 
 /* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *x_out, float *y_out)
+{
+    float pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            mu_in = gs_padded_single(pad[3], mu_in, here);
+            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z));
+        const gs_v S = gs_s_sine(a);
+        const gs_v C = gs_s_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], x_here);
+            memcpy(x_out, pad[5], here * sizeof *x_out);
+            gs_v_narrow(pad[6], y_here);
+            memcpy(y_out, pad[6], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
+ * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -9678,6 +13691,67 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     }
 }
 
+/* stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
+ * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        gs_mask held;
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v n = gs_s_driving(a, mu, &good, &held);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z));
+        const gs_v S = gs_s_sine(a);
+        const gs_v C = gs_s_cosine(a);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_position_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
 /* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, double *X_out, double *Y_out, double *R_out)
@@ -9730,6 +13804,56 @@ void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const 
 
 /* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
  * Operations: 2 mul. */
+void GS_JOIN(gs_chord_synchronous_circle_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v X_here = gs_s_constant(0.0);
+        gs_v Y_here = gs_s_scaled(fall, 0.25);
+        gs_v R_here = gs_s_scaled(fall, 0.25);
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], X_here);
+            memcpy(X_out, pad[2], here * sizeof *X_out);
+            gs_v_narrow(pad[3], Y_here);
+            memcpy(Y_out, pad[3], here * sizeof *Y_out);
+            gs_v_narrow(pad[4], R_here);
+            memcpy(R_out, pad[4], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
+ * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double *X_out, double *Y_out, double *R_out)
 {
     double pad[4][GS_LANES];
@@ -9774,6 +13898,56 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const
         gs_v_store(X_out, X_here);
         gs_v_store(Y_out, Y_here);
         gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
+ * Operations: 2 mul. */
+void GS_JOIN(gs_chord_synchronous_circle_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v X_here = gs_s_constant(0.0);
+        gs_v Y_here = gs_s_scaled(fall, 0.25);
+        gs_v R_here = gs_s_scaled(fall, 0.25);
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_narrow(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_narrow(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
         count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
     }
 }
@@ -9834,6 +14008,60 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, co
 
 /* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
  * Operations: 1 add, 5 mul, 1 sqrt. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *mu_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+            mu_in = gs_padded_single(pad[2], mu_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v X_here = gs_s_scaled(gs_s_mul(mu, fall), 0.25);
+        gs_v Y_here = gs_s_scaled(fall, 0.25);
+        gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(fall, 0.25));
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in[j], mu_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], X_here);
+            memcpy(X_out, pad[3], here * sizeof *X_out);
+            gs_v_narrow(pad[4], Y_here);
+            memcpy(Y_out, pad[4], here * sizeof *Y_out);
+            gs_v_narrow(pad[5], R_here);
+            memcpy(R_out, pad[5], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
+ * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double *X_out, double *Y_out, double *R_out)
 {
     double pad[4][GS_LANES];
@@ -9882,6 +14110,60 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, c
         gs_v_store(X_out, X_here);
         gs_v_store(Y_out, Y_here);
         gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
+ * Operations: 1 add, 5 mul, 1 sqrt. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float mu_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v once1 = gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &known));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v X_here = gs_s_scaled(gs_s_mul(mu, fall), 0.25);
+        gs_v Y_here = gs_s_scaled(fall, 0.25);
+        gs_v R_here = gs_s_mul(once1, gs_s_scaled(fall, 0.25));
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_narrow(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_narrow(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
         count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
     }
 }
@@ -9944,6 +14226,62 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const 
 
 /* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
  * Operations: 4 mul, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *gamma_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+            gamma_in = gs_padded_single(pad[2], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
+        gs_v X_here = gs_s_constant(0.0);
+        gs_v Y_here = gs_s_scaled(shared, 0.5);
+        gs_v R_here = gs_s_scaled(shared, 0.5);
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], X_here);
+            memcpy(X_out, pad[3], here * sizeof *X_out);
+            gs_v_narrow(pad[4], Y_here);
+            memcpy(Y_out, pad[4], here * sizeof *Y_out);
+            gs_v_narrow(pad[5], R_here);
+            memcpy(R_out, pad[5], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
+ * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
     double pad[4][GS_LANES];
@@ -9993,6 +14331,61 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const
         gs_v_store(X_out, X_here);
         gs_v_store(Y_out, Y_here);
         gs_v_store(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
+ * Operations: 4 mul, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float gamma_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
+        gs_v X_here = gs_s_constant(0.0);
+        gs_v Y_here = gs_s_scaled(shared, 0.5);
+        gs_v R_here = gs_s_scaled(shared, 0.5);
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_narrow(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_narrow(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
         count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
     }
 }
@@ -10059,6 +14452,66 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t coun
 
 /* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *mu_in, const float *gamma_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+            mu_in = gs_padded_single(pad[2], mu_in, here);
+            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v mu_here = gs_v_widen(mu_in);
+        const gs_v gamma_here = gs_v_widen(gamma_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v mu = gs_select(good, mu_here, one);
+        const gs_v gamma = gs_select(good, gamma_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
+        gs_v X_here = gs_s_scaled(gs_s_mul(mu, shared), 0.5);
+        gs_v Y_here = gs_s_scaled(shared, 0.5);
+        gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(shared, 0.5));
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in[j], mu_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], X_here);
+            memcpy(X_out, pad[4], here * sizeof *X_out);
+            gs_v_narrow(pad[5], Y_here);
+            memcpy(Y_out, pad[5], here * sizeof *Y_out);
+            gs_v_narrow(pad[6], R_here);
+            memcpy(R_out, pad[6], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
+/* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
+ * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
     double pad[4][GS_LANES];
@@ -10116,6 +14569,65 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
     }
 }
 
+/* stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
+ * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float mu_in, float gamma_in, float *X_out, float *Y_out, float *R_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v mu_here = gs_v_of(mu_in);
+    const gs_v gamma_here = gs_v_of(gamma_in);
+    gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_select(known, gamma_here, one);
+    const gs_v once1 = gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &known));
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        const gs_v z = gs_s_mul(t, gamma);
+        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
+        gs_v X_here = gs_s_scaled(gs_s_mul(mu, shared), 0.5);
+        gs_v Y_here = gs_s_scaled(shared, 0.5);
+        gs_v R_here = gs_s_mul(once1, gs_s_scaled(shared, 0.5));
+        if (!gs_all(good)) {
+            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+            gs_v_store(X_each, X_here);
+            gs_v_store(Y_each, Y_here);
+            gs_v_store(R_each, R_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+            X_here = gs_v_load(X_each);
+            Y_here = gs_v_load(Y_each);
+            R_here = gs_v_load(R_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], X_here);
+            memcpy(X_out, pad[1], here * sizeof *X_out);
+            gs_v_narrow(pad[2], Y_here);
+            memcpy(Y_out, pad[2], here * sizeof *Y_out);
+            gs_v_narrow(pad[3], R_here);
+            memcpy(R_out, pad[3], here * sizeof *R_out);
+            return;
+        }
+        gs_v_narrow(X_out, X_here);
+        gs_v_narrow(Y_out, Y_here);
+        gs_v_narrow(R_out, R_here);
+        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+    }
+}
+
 /* stable.chord.max_angle, the stable form of chord.eq13.
  * Operations: 1 table. */
 void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in, double *angle_out)
@@ -10145,6 +14657,39 @@ void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in,
             return;
         }
         gs_v_store(angle_out, angle_here);
+        count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
+    }
+}
+
+/* stable.chord.max_angle, the stable form of chord.eq13.
+ * Operations: 1 table. */
+void GS_JOIN(gs_chord_max_angle_nf, GS_SUFFIX)(size_t count, const float *mu_in, float *angle_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            mu_in = gs_padded_single(pad[0], mu_in, here);
+        }
+        const gs_v mu_here = gs_v_widen(mu_in);
+        gs_mask good = gs_between(mu_here, 0.0, 0x1p+128);
+        const gs_v mu = gs_select(good, mu_here, one);
+        gs_v angle_here = gs_s_acot(mu);
+        if (!gs_all(good)) {
+            double angle_each[GS_LANES];
+            gs_v_store(angle_each, angle_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    angle_each[j] = gs_scaled_chord_max_angle(mu_in[j]);
+            angle_here = gs_v_load(angle_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], angle_here);
+            memcpy(angle_out, pad[1], here * sizeof *angle_out);
+            return;
+        }
+        gs_v_narrow(angle_out, angle_here);
         count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
     }
 }
@@ -10195,6 +14740,50 @@ void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const do
 
 /* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_flight_time_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *time_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        gs_v time_here = gs_s_scaled(rise, 2.0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], time_here);
+            memcpy(time_out, pad[3], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
+ * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -10232,6 +14821,49 @@ void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const d
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.free, the stable form of projectile.nodrag.impact.
+ * Operations: 1 div, 1 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        gs_v time_here = gs_s_scaled(rise, 2.0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[j]), v_in, g_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -10287,6 +14919,55 @@ void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const do
 
 /* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_flight_time_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *time_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            k_in = gs_padded_single(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v time_here = gs_s_scaled(gs_s_mul(rise, gs_s_flight_factor(b)), 2.0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], time_here);
+            memcpy(time_out, pad[4], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
+ * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *time_out)
 {
     double pad[2][GS_LANES];
@@ -10328,6 +15009,53 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
             return;
         }
         gs_v_store(time_out, time_here);
+        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.flight_time.drag, the stable form of projectile.impact.time.
+ * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *time_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v time_here = gs_s_scaled(gs_s_mul(rise, gs_s_flight_factor(b)), 2.0);
+        if (!gs_all(good)) {
+            double time_each[GS_LANES];
+            gs_v_store(time_each, time_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
+            time_here = gs_v_load(time_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], time_here);
+            memcpy(time_out, pad[1], here * sizeof *time_out);
+            return;
+        }
+        gs_v_narrow(time_out, time_here);
         count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
     }
 }
@@ -10379,6 +15107,51 @@ void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, con
 
 /* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_horizontal_range_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *range_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(v, rise), C), 2.0);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], range_here);
+            memcpy(range_out, pad[3], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *range_out)
 {
     double pad[2][GS_LANES];
@@ -10417,6 +15190,50 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, co
             return;
         }
         gs_v_store(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 div, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *range_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(v, rise), C), 2.0);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[j]), v_in, g_in);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], range_here);
+            memcpy(range_out, pad[1], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
         count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
     }
 }
@@ -10473,6 +15290,56 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, con
 
 /* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_horizontal_range_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *range_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            k_in = gs_padded_single(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_s_range_factor(b)), 2.0);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], range_here);
+            memcpy(range_out, pad[4], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
+ * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *range_out)
 {
     double pad[2][GS_LANES];
@@ -10515,6 +15382,54 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
             return;
         }
         gs_v_store(range_out, range_here);
+        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.horizontal_range.drag, the stable form of projectile.range.exp.
+ * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *range_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_s_range_factor(b)), 2.0);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], range_here);
+            memcpy(range_out, pad[1], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
         count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
     }
 }
@@ -10577,6 +15492,62 @@ void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const doubl
 
 /* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_position_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, float *x_out, float *y_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            v_in = gs_padded_single(pad[2], v_in, here);
+            g_in = gs_padded_single(pad[3], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v reach = gs_s_mul(t, v);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v x_here = gs_s_mul(reach, C);
+        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_free(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], x_here);
+            memcpy(x_out, pad[4], here * sizeof *x_out);
+            gs_v_narrow(pad[5], y_here);
+            memcpy(y_out, pad[5], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -10626,6 +15597,61 @@ void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const doub
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 5 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v reach = gs_s_mul(t, v);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v x_here = gs_s_mul(reach, C);
+        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_free(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -10693,6 +15719,67 @@ void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const doubl
 
 /* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *x_out, float *y_out)
+{
+    float pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            v_in = gs_padded_single(pad[2], v_in, here);
+            g_in = gs_padded_single(pad[3], g_in, here);
+            k_in = gs_padded_single(pad[4], k_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v z = gs_s_mul(t, k);
+        const gs_v reach = gs_s_mul(gs_s_mul(t, v), gs_s_phi1m(z));
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v x_here = gs_s_mul(reach, C);
+        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, gs_s_phi2m(z)), &good);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j], x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], x_here);
+            memcpy(x_out, pad[5], here * sizeof *x_out);
+            gs_v_narrow(pad[6], y_here);
+            memcpy(y_out, pad[6], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
+ * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *x_out, double *y_out)
 {
     double pad[4][GS_LANES];
@@ -10746,6 +15833,65 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
         }
         gs_v_store(x_out, x_here);
         gs_v_store(y_out, y_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.position.drag, the stable form of projectile.drag.x, projectile.drag.y.
+ * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float k_in, float *x_out, float *y_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v z = gs_s_mul(t, k);
+        const gs_v reach = gs_s_mul(gs_s_mul(t, v), gs_s_phi1m(z));
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+        gs_v x_here = gs_s_mul(reach, C);
+        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, gs_s_phi2m(z)), &good);
+        if (!gs_all(good)) {
+            double x_each[GS_LANES], y_each[GS_LANES];
+            gs_v_store(x_each, x_here);
+            gs_v_store(y_each, y_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_position_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, k_in, x_each + j, y_each + j);
+            x_here = gs_v_load(x_each);
+            y_here = gs_v_load(y_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], x_here);
+            memcpy(x_out, pad[2], here * sizeof *x_out);
+            gs_v_narrow(pad[3], y_here);
+            memcpy(y_out, pad[3], here * sizeof *y_out);
+            return;
+        }
+        gs_v_narrow(x_out, x_here);
+        gs_v_narrow(y_out, y_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
     }
 }
@@ -10806,6 +15952,60 @@ void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const doubl
 
 /* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_velocity_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, float *vx_out, float *vy_out)
+{
+    float pad[6][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            v_in = gs_padded_single(pad[2], v_in, here);
+            g_in = gs_padded_single(pad[3], g_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v vx_here = gs_s_mul(v, C);
+        gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_free(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], vx_here);
+            memcpy(vx_out, pad[4], here * sizeof *vx_out);
+            gs_v_narrow(pad[5], vy_here);
+            memcpy(vy_out, pad[5], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_narrow(vx_out, vx_here);
+        gs_v_narrow(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
 {
     double pad[4][GS_LANES];
@@ -10853,6 +16053,59 @@ void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const doub
         }
         gs_v_store(vx_out, vx_here);
         gs_v_store(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
+ * Operations: 1 add, 3 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float *vx_out, float *vy_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v vx_here = gs_s_mul(v, C);
+        gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_free(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], vx_here);
+            memcpy(vx_out, pad[2], here * sizeof *vx_out);
+            gs_v_narrow(pad[3], vy_here);
+            memcpy(vy_out, pad[3], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_narrow(vx_out, vx_here);
+        gs_v_narrow(vy_out, vy_here);
         count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
     }
 }
@@ -10919,6 +16172,66 @@ void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const doubl
 
 /* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_velocity_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *vx_out, float *vy_out)
+{
+    float pad[7][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+            v_in = gs_padded_single(pad[2], v_in, here);
+            g_in = gs_padded_single(pad[3], g_in, here);
+            k_in = gs_padded_single(pad[4], k_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v z = gs_s_mul(t, k);
+        const gs_v fade = gs_s_phi0m(z);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
+        gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), gs_s_phi1m(z)), &good);
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j], vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[5], vx_here);
+            memcpy(vx_out, pad[5], here * sizeof *vx_out);
+            gs_v_narrow(pad[6], vy_here);
+            memcpy(vy_out, pad[6], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_narrow(vx_out, vx_here);
+        gs_v_narrow(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
+ * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *vx_out, double *vy_out)
 {
     double pad[4][GS_LANES];
@@ -10975,6 +16288,64 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
     }
 }
 
+/* stable.projectile.velocity.drag, the stable form of projectile.drag.vx, projectile.drag.vy.
+ * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float k_in, float *vx_out, float *vy_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            t_in = gs_padded_single(pad[0], t_in, here);
+            theta_in = gs_padded_single(pad[1], theta_in, here);
+        }
+        const gs_v t_here = gs_v_widen(t_in);
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v t = gs_select(good, t_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_v z = gs_s_mul(t, k);
+        const gs_v fade = gs_s_phi0m(z);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
+        gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), gs_s_phi1m(z)), &good);
+        if (!gs_all(good)) {
+            double vx_each[GS_LANES], vy_each[GS_LANES];
+            gs_v_store(vx_each, vx_here);
+            gs_v_store(vy_each, vy_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    gs_scaled_projectile_velocity_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, k_in, vx_each + j, vy_each + j);
+            vx_here = gs_v_load(vx_each);
+            vy_here = gs_v_load(vy_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], vx_here);
+            memcpy(vx_out, pad[2], here * sizeof *vx_out);
+            gs_v_narrow(pad[3], vy_here);
+            memcpy(vy_out, pad[3], here * sizeof *vy_out);
+            return;
+        }
+        gs_v_narrow(vx_out, vx_here);
+        gs_v_narrow(vy_out, vy_here);
+        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+    }
+}
+
 /* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *slope_out)
@@ -11021,6 +16392,50 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, co
 
 /* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_theta_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *slope_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(v, v), gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), g), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], slope_here);
+            memcpy(slope_out, pad[3], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
 {
     double pad[2][GS_LANES];
@@ -11059,6 +16474,50 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, c
             return;
         }
         gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
+ * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *slope_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v once1 = gs_s_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(once1, gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), g), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[j]), v_in, g_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
         count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
     }
 }
@@ -11115,6 +16574,56 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, co
 
 /* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_range_slope_theta_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *slope_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            k_in = gs_padded_single(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(v, v), gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_range_balance(b)), gs_s_mul(S, S), &good)), gs_s_range_factor(b)), g), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], slope_here);
+            memcpy(slope_out, pad[4], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
+ * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
 {
     double pad[2][GS_LANES];
@@ -11158,6 +16667,55 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
             return;
         }
         gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
+ * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
+void GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *slope_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    const gs_v once1 = gs_s_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(once1, gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_range_balance(b)), gs_s_mul(S, S), &good)), gs_s_range_factor(b)), g), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
         count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
     }
 }
@@ -11209,6 +16767,51 @@ void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const 
 
 /* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_k_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *slope_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, v), rise), C), S), g)), gs_s_constant(3.0)), 8.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], slope_here);
+            memcpy(slope_out, pad[3], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
+ * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
 {
     double pad[2][GS_LANES];
@@ -11248,6 +16851,51 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const
             return;
         }
         gs_v_store(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
+ * Operations: 3 div, 6 mul, 1 sine and cosine. */
+void GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *slope_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v once1 = gs_s_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(once1, rise), C), S), g)), gs_s_constant(3.0)), 8.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[j]), v_in, g_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
         count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
     }
 }
@@ -11304,6 +16952,56 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const 
 
 /* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_range_slope_k_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *slope_out)
+{
+    float pad[5][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+            v_in = gs_padded_single(pad[1], v_in, here);
+            g_in = gs_padded_single(pad[2], g_in, here);
+            k_in = gs_padded_single(pad[3], k_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v slope_here = gs_s_scaled(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, v), rise), C), S), gs_s_range_loss(b)), g)), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[4], slope_here);
+            memcpy(slope_out, pad[4], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
+ * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
 {
     double pad[2][GS_LANES];
@@ -11351,6 +17049,55 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
     }
 }
 
+/* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
+ * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
+void GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *slope_out)
+{
+    float pad[2][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    const gs_v once1 = gs_s_mul(v, v);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            theta_in = gs_padded_single(pad[0], theta_in, here);
+        }
+        const gs_v theta_here = gs_v_widen(theta_in);
+        gs_mask good = known;
+        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+        const gs_v theta_used = gs_select(good, theta_here, one);
+        const gs_turn_single a = gs_s_angle(theta_used);
+        const gs_v S = gs_s_sine(a);
+        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
+        const gs_v C = gs_s_cosine(a);
+        const gs_v b = gs_s_mul(k, rise);
+        gs_v slope_here = gs_s_scaled(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(once1, rise), C), S), gs_s_range_loss(b)), g)), 2.0);
+        if (!gs_all(good)) {
+            double slope_each[GS_LANES];
+            gs_v_store(slope_each, slope_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
+            slope_here = gs_v_load(slope_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[1], slope_here);
+            memcpy(slope_out, pad[1], here * sizeof *slope_out);
+            return;
+        }
+        gs_v_narrow(slope_out, slope_here);
+        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+    }
+}
+
 /* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
  * Operations: 1 div, 1 mul. */
 void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const double *v_in, const double *g_in, double *range_out)
@@ -11384,6 +17131,43 @@ void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const doub
             return;
         }
         gs_v_store(range_out, range_here);
+        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
+/* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
+ * Operations: 1 div, 1 mul. */
+void GS_JOIN(gs_projectile_max_range_free_nf, GS_SUFFIX)(size_t count, const float *v_in, const float *g_in, float *range_out)
+{
+    float pad[3][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            v_in = gs_padded_single(pad[0], v_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+        }
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        gs_v range_here = gs_s_div(gs_s_mul(v, v), g);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_max_range_free(v_in[j], g_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[2], range_here);
+            memcpy(range_out, pad[2], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
         count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
     }
 }
@@ -11430,6 +17214,48 @@ void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const doub
     }
 }
 
+/* stable.projectile.max_range.drag, the stable form of projectile.thm3, projectile.range.u.
+ * Operations: 2 div, 3 mul, 1 table. */
+void GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(size_t count, const float *v_in, const float *g_in, const float *k_in, float *range_out)
+{
+    float pad[4][GS_LANES];
+    const gs_v one = gs_v_of(1.0);
+    while (count > 0) {
+        const size_t here = count < GS_LANES ? count : GS_LANES;
+        if (here < GS_LANES) {
+            v_in = gs_padded_single(pad[0], v_in, here);
+            g_in = gs_padded_single(pad[1], g_in, here);
+            k_in = gs_padded_single(pad[2], k_in, here);
+        }
+        const gs_v v_here = gs_v_widen(v_in);
+        const gs_v g_here = gs_v_widen(g_in);
+        const gs_v k_here = gs_v_widen(k_in);
+        gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
+        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+        const gs_v v = gs_select(good, v_here, one);
+        const gs_v g = gs_select(good, g_here, one);
+        const gs_v k = gs_select(good, k_here, one);
+        const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
+        gs_v range_here = gs_s_div(gs_s_mul(gs_s_mul(v, v), gs_s_max_range_factor(alpha)), g);
+        if (!gs_all(good)) {
+            double range_each[GS_LANES];
+            gs_v_store(range_each, range_here);
+            for (size_t j = 0; j < here; j++)
+                if (!(gs_bits_of(good) >> j & 1))
+                    range_each[j] = gs_scaled_projectile_max_range_drag(v_in[j], g_in[j], k_in[j]);
+            range_here = gs_v_load(range_each);
+        }
+        if (here < GS_LANES) {
+            gs_v_narrow(pad[3], range_here);
+            memcpy(range_out, pad[3], here * sizeof *range_out);
+            return;
+        }
+        gs_v_narrow(range_out, range_here);
+        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+    }
+}
+
 #endif
 
 #define GS_CHOOSE(name) name##_plain
@@ -11442,14 +17268,31 @@ double gs_chord_descent_time_free(double theta, double diameter, double g)
     return time;
 }
 
+float gs_chord_descent_time_freef(float theta, float diameter, float g)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_free_nf)(1, &theta, &diameter, &g, &time);
+    return time;
+}
+
 void gs_chord_descent_time_free_n(size_t n, const double *theta, const double *diameter, const double *g, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_free_n)(n, theta, diameter, g, time);
 }
 
+void gs_chord_descent_time_free_nf(size_t n, const float *theta, const float *diameter, const float *g, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_free_nf)(n, theta, diameter, g, time);
+}
+
 void gs_chord_descent_time_free_nu(size_t n, const double *theta, double diameter, double g, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_free_nu)(n, theta, diameter, g, time);
+}
+
+void gs_chord_descent_time_free_nuf(size_t n, const float *theta, float diameter, float g, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_free_nuf)(n, theta, diameter, g, time);
 }
 
 double gs_chord_descent_time_friction(double theta, double diameter, double g, double mu)
@@ -11459,14 +17302,31 @@ double gs_chord_descent_time_friction(double theta, double diameter, double g, d
     return time;
 }
 
+float gs_chord_descent_time_frictionf(float theta, float diameter, float g, float mu)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_nf)(1, &theta, &diameter, &g, &mu, &time);
+    return time;
+}
+
 void gs_chord_descent_time_friction_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_n)(n, theta, diameter, g, mu, time);
 }
 
+void gs_chord_descent_time_friction_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_nf)(n, theta, diameter, g, mu, time);
+}
+
 void gs_chord_descent_time_friction_nu(size_t n, const double *theta, double diameter, double g, double mu, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_nu)(n, theta, diameter, g, mu, time);
+}
+
+void gs_chord_descent_time_friction_nuf(size_t n, const float *theta, float diameter, float g, float mu, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_nuf)(n, theta, diameter, g, mu, time);
 }
 
 double gs_chord_descent_time_drag(double theta, double diameter, double g, double gamma)
@@ -11476,14 +17336,31 @@ double gs_chord_descent_time_drag(double theta, double diameter, double g, doubl
     return time;
 }
 
+float gs_chord_descent_time_dragf(float theta, float diameter, float g, float gamma)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_drag_nf)(1, &theta, &diameter, &g, &gamma, &time);
+    return time;
+}
+
 void gs_chord_descent_time_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_drag_n)(n, theta, diameter, g, gamma, time);
 }
 
+void gs_chord_descent_time_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_drag_nf)(n, theta, diameter, g, gamma, time);
+}
+
 void gs_chord_descent_time_drag_nu(size_t n, const double *theta, double diameter, double g, double gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_drag_nu)(n, theta, diameter, g, gamma, time);
+}
+
+void gs_chord_descent_time_drag_nuf(size_t n, const float *theta, float diameter, float g, float gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_drag_nuf)(n, theta, diameter, g, gamma, time);
 }
 
 double gs_chord_descent_time_friction_drag(double theta, double diameter, double g, double mu, double gamma)
@@ -11493,14 +17370,31 @@ double gs_chord_descent_time_friction_drag(double theta, double diameter, double
     return time;
 }
 
+float gs_chord_descent_time_friction_dragf(float theta, float diameter, float g, float mu, float gamma)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_drag_nf)(1, &theta, &diameter, &g, &mu, &gamma, &time);
+    return time;
+}
+
 void gs_chord_descent_time_friction_drag_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_drag_n)(n, theta, diameter, g, mu, gamma, time);
 }
 
+void gs_chord_descent_time_friction_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nf)(n, theta, diameter, g, mu, gamma, time);
+}
+
 void gs_chord_descent_time_friction_drag_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_drag_nu)(n, theta, diameter, g, mu, gamma, time);
+}
+
+void gs_chord_descent_time_friction_drag_nuf(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nuf)(n, theta, diameter, g, mu, gamma, time);
 }
 
 double gs_chord_descent_time(double theta, double diameter, double g, double mu, double gamma)
@@ -11510,14 +17404,31 @@ double gs_chord_descent_time(double theta, double diameter, double g, double mu,
     return time;
 }
 
+float gs_chord_descent_timef(float theta, float diameter, float g, float mu, float gamma)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_chord_descent_time_friction_drag_nf)(1, &theta, &diameter, &g, &mu, &gamma, &time);
+    return time;
+}
+
 void gs_chord_descent_time_n(size_t n, const double *theta, const double *diameter, const double *g, const double *mu, const double *gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_drag_n)(n, theta, diameter, g, mu, gamma, time);
 }
 
+void gs_chord_descent_time_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nf)(n, theta, diameter, g, mu, gamma, time);
+}
+
 void gs_chord_descent_time_nu(size_t n, const double *theta, double diameter, double g, double mu, double gamma, double *time)
 {
     GS_CHOOSE(gs_chord_descent_time_friction_drag_nu)(n, theta, diameter, g, mu, gamma, time);
+}
+
+void gs_chord_descent_time_nuf(size_t n, const float *theta, float diameter, float g, float mu, float gamma, float *time)
+{
+    GS_CHOOSE(gs_chord_descent_time_friction_drag_nuf)(n, theta, diameter, g, mu, gamma, time);
 }
 
 double gs_chord_distance_free(double t, double theta, double g)
@@ -11527,14 +17438,31 @@ double gs_chord_distance_free(double t, double theta, double g)
     return distance;
 }
 
+float gs_chord_distance_freef(float t, float theta, float g)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_free_nf)(1, &t, &theta, &g, &distance);
+    return distance;
+}
+
 void gs_chord_distance_free_n(size_t n, const double *t, const double *theta, const double *g, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_free_n)(n, t, theta, g, distance);
 }
 
+void gs_chord_distance_free_nf(size_t n, const float *t, const float *theta, const float *g, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_free_nf)(n, t, theta, g, distance);
+}
+
 void gs_chord_distance_free_nu(size_t n, const double *t, const double *theta, double g, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_free_nu)(n, t, theta, g, distance);
+}
+
+void gs_chord_distance_free_nuf(size_t n, const float *t, const float *theta, float g, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_free_nuf)(n, t, theta, g, distance);
 }
 
 double gs_chord_distance_friction(double t, double theta, double g, double mu)
@@ -11544,14 +17472,31 @@ double gs_chord_distance_friction(double t, double theta, double g, double mu)
     return distance;
 }
 
+float gs_chord_distance_frictionf(float t, float theta, float g, float mu)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_nf)(1, &t, &theta, &g, &mu, &distance);
+    return distance;
+}
+
 void gs_chord_distance_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_n)(n, t, theta, g, mu, distance);
 }
 
+void gs_chord_distance_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_nf)(n, t, theta, g, mu, distance);
+}
+
 void gs_chord_distance_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_nu)(n, t, theta, g, mu, distance);
+}
+
+void gs_chord_distance_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_nuf)(n, t, theta, g, mu, distance);
 }
 
 double gs_chord_distance_drag(double t, double theta, double g, double gamma)
@@ -11561,14 +17506,31 @@ double gs_chord_distance_drag(double t, double theta, double g, double gamma)
     return distance;
 }
 
+float gs_chord_distance_dragf(float t, float theta, float g, float gamma)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_drag_nf)(1, &t, &theta, &g, &gamma, &distance);
+    return distance;
+}
+
 void gs_chord_distance_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_drag_n)(n, t, theta, g, gamma, distance);
 }
 
+void gs_chord_distance_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_drag_nf)(n, t, theta, g, gamma, distance);
+}
+
 void gs_chord_distance_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_drag_nu)(n, t, theta, g, gamma, distance);
+}
+
+void gs_chord_distance_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_drag_nuf)(n, t, theta, g, gamma, distance);
 }
 
 double gs_chord_distance_friction_drag(double t, double theta, double g, double mu, double gamma)
@@ -11578,14 +17540,31 @@ double gs_chord_distance_friction_drag(double t, double theta, double g, double 
     return distance;
 }
 
+float gs_chord_distance_friction_dragf(float t, float theta, float g, float mu, float gamma)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, &distance);
+    return distance;
+}
+
 void gs_chord_distance_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_drag_n)(n, t, theta, g, mu, gamma, distance);
 }
 
+void gs_chord_distance_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nf)(n, t, theta, g, mu, gamma, distance);
+}
+
 void gs_chord_distance_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_drag_nu)(n, t, theta, g, mu, gamma, distance);
+}
+
+void gs_chord_distance_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nuf)(n, t, theta, g, mu, gamma, distance);
 }
 
 double gs_chord_distance(double t, double theta, double g, double mu, double gamma)
@@ -11595,14 +17574,31 @@ double gs_chord_distance(double t, double theta, double g, double mu, double gam
     return distance;
 }
 
+float gs_chord_distancef(float t, float theta, float g, float mu, float gamma)
+{
+    float distance;
+    GS_CHOOSE_SINGLE(gs_chord_distance_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, &distance);
+    return distance;
+}
+
 void gs_chord_distance_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_drag_n)(n, t, theta, g, mu, gamma, distance);
 }
 
+void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nf)(n, t, theta, g, mu, gamma, distance);
+}
+
 void gs_chord_distance_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *distance)
 {
     GS_CHOOSE(gs_chord_distance_friction_drag_nu)(n, t, theta, g, mu, gamma, distance);
+}
+
+void gs_chord_distance_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *distance)
+{
+    GS_CHOOSE(gs_chord_distance_friction_drag_nuf)(n, t, theta, g, mu, gamma, distance);
 }
 
 double gs_chord_speed_free(double t, double theta, double g)
@@ -11612,14 +17608,31 @@ double gs_chord_speed_free(double t, double theta, double g)
     return speed;
 }
 
+float gs_chord_speed_freef(float t, float theta, float g)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_free_nf)(1, &t, &theta, &g, &speed);
+    return speed;
+}
+
 void gs_chord_speed_free_n(size_t n, const double *t, const double *theta, const double *g, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_free_n)(n, t, theta, g, speed);
 }
 
+void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const float *g, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_free_nf)(n, t, theta, g, speed);
+}
+
 void gs_chord_speed_free_nu(size_t n, const double *t, const double *theta, double g, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_free_nu)(n, t, theta, g, speed);
+}
+
+void gs_chord_speed_free_nuf(size_t n, const float *t, const float *theta, float g, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_free_nuf)(n, t, theta, g, speed);
 }
 
 double gs_chord_speed_friction(double t, double theta, double g, double mu)
@@ -11629,14 +17642,31 @@ double gs_chord_speed_friction(double t, double theta, double g, double mu)
     return speed;
 }
 
+float gs_chord_speed_frictionf(float t, float theta, float g, float mu)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_nf)(1, &t, &theta, &g, &mu, &speed);
+    return speed;
+}
+
 void gs_chord_speed_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_n)(n, t, theta, g, mu, speed);
 }
 
+void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_nf)(n, t, theta, g, mu, speed);
+}
+
 void gs_chord_speed_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_nu)(n, t, theta, g, mu, speed);
+}
+
+void gs_chord_speed_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_nuf)(n, t, theta, g, mu, speed);
 }
 
 double gs_chord_speed_drag(double t, double theta, double g, double gamma)
@@ -11646,14 +17676,31 @@ double gs_chord_speed_drag(double t, double theta, double g, double gamma)
     return speed;
 }
 
+float gs_chord_speed_dragf(float t, float theta, float g, float gamma)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_drag_nf)(1, &t, &theta, &g, &gamma, &speed);
+    return speed;
+}
+
 void gs_chord_speed_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_drag_n)(n, t, theta, g, gamma, speed);
 }
 
+void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_drag_nf)(n, t, theta, g, gamma, speed);
+}
+
 void gs_chord_speed_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_drag_nu)(n, t, theta, g, gamma, speed);
+}
+
+void gs_chord_speed_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_drag_nuf)(n, t, theta, g, gamma, speed);
 }
 
 double gs_chord_speed_friction_drag(double t, double theta, double g, double mu, double gamma)
@@ -11663,14 +17710,31 @@ double gs_chord_speed_friction_drag(double t, double theta, double g, double mu,
     return speed;
 }
 
+float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, &speed);
+    return speed;
+}
+
 void gs_chord_speed_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_drag_n)(n, t, theta, g, mu, gamma, speed);
 }
 
+void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nf)(n, t, theta, g, mu, gamma, speed);
+}
+
 void gs_chord_speed_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_drag_nu)(n, t, theta, g, mu, gamma, speed);
+}
+
+void gs_chord_speed_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nuf)(n, t, theta, g, mu, gamma, speed);
 }
 
 double gs_chord_speed(double t, double theta, double g, double mu, double gamma)
@@ -11680,9 +17744,21 @@ double gs_chord_speed(double t, double theta, double g, double mu, double gamma)
     return speed;
 }
 
+float gs_chord_speedf(float t, float theta, float g, float mu, float gamma)
+{
+    float speed;
+    GS_CHOOSE_SINGLE(gs_chord_speed_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, &speed);
+    return speed;
+}
+
 void gs_chord_speed_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *speed)
 {
     GS_CHOOSE(gs_chord_speed_friction_drag_n)(n, t, theta, g, mu, gamma, speed);
+}
+
+void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nf)(n, t, theta, g, mu, gamma, speed);
 }
 
 void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *speed)
@@ -11690,9 +17766,19 @@ void gs_chord_speed_nu(size_t n, const double *t, const double *theta, double g,
     GS_CHOOSE(gs_chord_speed_friction_drag_nu)(n, t, theta, g, mu, gamma, speed);
 }
 
+void gs_chord_speed_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *speed)
+{
+    GS_CHOOSE(gs_chord_speed_friction_drag_nuf)(n, t, theta, g, mu, gamma, speed);
+}
+
 void gs_chord_position_free(double t, double theta, double g, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_chord_position_free_n)(1, &t, &theta, &g, x, y);
+}
+
+void gs_chord_position_freef(float t, float theta, float g, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_free_nf)(1, &t, &theta, &g, x, y);
 }
 
 void gs_chord_position_free_n(size_t n, const double *t, const double *theta, const double *g, double *x, double *y)
@@ -11700,9 +17786,19 @@ void gs_chord_position_free_n(size_t n, const double *t, const double *theta, co
     GS_CHOOSE(gs_chord_position_free_n)(n, t, theta, g, x, y);
 }
 
+void gs_chord_position_free_nf(size_t n, const float *t, const float *theta, const float *g, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_free_nf)(n, t, theta, g, x, y);
+}
+
 void gs_chord_position_free_nu(size_t n, const double *t, const double *theta, double g, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_free_nu)(n, t, theta, g, x, y);
+}
+
+void gs_chord_position_free_nuf(size_t n, const float *t, const float *theta, float g, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_free_nuf)(n, t, theta, g, x, y);
 }
 
 void gs_chord_position_friction(double t, double theta, double g, double mu, double *x, double *y)
@@ -11710,9 +17806,19 @@ void gs_chord_position_friction(double t, double theta, double g, double mu, dou
     GS_CHOOSE_SINGLE(gs_chord_position_friction_n)(1, &t, &theta, &g, &mu, x, y);
 }
 
+void gs_chord_position_frictionf(float t, float theta, float g, float mu, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_nf)(1, &t, &theta, &g, &mu, x, y);
+}
+
 void gs_chord_position_friction_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_friction_n)(n, t, theta, g, mu, x, y);
+}
+
+void gs_chord_position_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_nf)(n, t, theta, g, mu, x, y);
 }
 
 void gs_chord_position_friction_nu(size_t n, const double *t, const double *theta, double g, double mu, double *x, double *y)
@@ -11720,9 +17826,19 @@ void gs_chord_position_friction_nu(size_t n, const double *t, const double *thet
     GS_CHOOSE(gs_chord_position_friction_nu)(n, t, theta, g, mu, x, y);
 }
 
+void gs_chord_position_friction_nuf(size_t n, const float *t, const float *theta, float g, float mu, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_nuf)(n, t, theta, g, mu, x, y);
+}
+
 void gs_chord_position_drag(double t, double theta, double g, double gamma, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_chord_position_drag_n)(1, &t, &theta, &g, &gamma, x, y);
+}
+
+void gs_chord_position_dragf(float t, float theta, float g, float gamma, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_drag_nf)(1, &t, &theta, &g, &gamma, x, y);
 }
 
 void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *gamma, double *x, double *y)
@@ -11730,9 +17846,19 @@ void gs_chord_position_drag_n(size_t n, const double *t, const double *theta, co
     GS_CHOOSE(gs_chord_position_drag_n)(n, t, theta, g, gamma, x, y);
 }
 
+void gs_chord_position_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_drag_nf)(n, t, theta, g, gamma, x, y);
+}
+
 void gs_chord_position_drag_nu(size_t n, const double *t, const double *theta, double g, double gamma, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_drag_nu)(n, t, theta, g, gamma, x, y);
+}
+
+void gs_chord_position_drag_nuf(size_t n, const float *t, const float *theta, float g, float gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_drag_nuf)(n, t, theta, g, gamma, x, y);
 }
 
 void gs_chord_position_friction_drag(double t, double theta, double g, double mu, double gamma, double *x, double *y)
@@ -11740,9 +17866,19 @@ void gs_chord_position_friction_drag(double t, double theta, double g, double mu
     GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, x, y);
 }
 
+void gs_chord_position_friction_dragf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, x, y);
+}
+
 void gs_chord_position_friction_drag_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_friction_drag_n)(n, t, theta, g, mu, gamma, x, y);
+}
+
+void gs_chord_position_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nf)(n, t, theta, g, mu, gamma, x, y);
 }
 
 void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y)
@@ -11750,9 +17886,19 @@ void gs_chord_position_friction_drag_nu(size_t n, const double *t, const double 
     GS_CHOOSE(gs_chord_position_friction_drag_nu)(n, t, theta, g, mu, gamma, x, y);
 }
 
+void gs_chord_position_friction_drag_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nuf)(n, t, theta, g, mu, gamma, x, y);
+}
+
 void gs_chord_position(double t, double theta, double g, double mu, double gamma, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_n)(1, &t, &theta, &g, &mu, &gamma, x, y);
+}
+
+void gs_chord_positionf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_chord_position_friction_drag_nf)(1, &t, &theta, &g, &mu, &gamma, x, y);
 }
 
 void gs_chord_position_n(size_t n, const double *t, const double *theta, const double *g, const double *mu, const double *gamma, double *x, double *y)
@@ -11760,9 +17906,19 @@ void gs_chord_position_n(size_t n, const double *t, const double *theta, const d
     GS_CHOOSE(gs_chord_position_friction_drag_n)(n, t, theta, g, mu, gamma, x, y);
 }
 
+void gs_chord_position_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nf)(n, t, theta, g, mu, gamma, x, y);
+}
+
 void gs_chord_position_nu(size_t n, const double *t, const double *theta, double g, double mu, double gamma, double *x, double *y)
 {
     GS_CHOOSE(gs_chord_position_friction_drag_nu)(n, t, theta, g, mu, gamma, x, y);
+}
+
+void gs_chord_position_nuf(size_t n, const float *t, const float *theta, float g, float mu, float gamma, float *x, float *y)
+{
+    GS_CHOOSE(gs_chord_position_friction_drag_nuf)(n, t, theta, g, mu, gamma, x, y);
 }
 
 void gs_chord_synchronous_circle_free(double t, double g, double *X, double *Y, double *R)
@@ -11770,9 +17926,19 @@ void gs_chord_synchronous_circle_free(double t, double g, double *X, double *Y, 
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_free_n)(1, &t, &g, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_freef(float t, float g, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_free_nf)(1, &t, &g, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_free_n(size_t n, const double *t, const double *g, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_free_n)(n, t, g, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_free_nf(size_t n, const float *t, const float *g, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_free_nf)(n, t, g, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, double *X, double *Y, double *R)
@@ -11780,9 +17946,19 @@ void gs_chord_synchronous_circle_free_nu(size_t n, const double *t, double g, do
     GS_CHOOSE(gs_chord_synchronous_circle_free_nu)(n, t, g, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_free_nuf(size_t n, const float *t, float g, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_free_nuf)(n, t, g, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_friction(double t, double g, double mu, double *X, double *Y, double *R)
 {
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_n)(1, &t, &g, &mu, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_frictionf(float t, float g, float mu, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_nf)(1, &t, &g, &mu, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const double *g, const double *mu, double *X, double *Y, double *R)
@@ -11790,9 +17966,19 @@ void gs_chord_synchronous_circle_friction_n(size_t n, const double *t, const dou
     GS_CHOOSE(gs_chord_synchronous_circle_friction_n)(n, t, g, mu, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_friction_nf(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_nf)(n, t, g, mu, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_friction_nu(size_t n, const double *t, double g, double mu, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_friction_nu)(n, t, g, mu, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_nuf(size_t n, const float *t, float g, float mu, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_nuf)(n, t, g, mu, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_drag(double t, double g, double gamma, double *X, double *Y, double *R)
@@ -11800,9 +17986,19 @@ void gs_chord_synchronous_circle_drag(double t, double g, double gamma, double *
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_drag_n)(1, &t, &g, &gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_dragf(float t, float g, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_drag_nf)(1, &t, &g, &gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_drag_n(size_t n, const double *t, const double *g, const double *gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_drag_n)(n, t, g, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_drag_nf(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_drag_nf)(n, t, g, gamma, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, double gamma, double *X, double *Y, double *R)
@@ -11810,9 +18006,19 @@ void gs_chord_synchronous_circle_drag_nu(size_t n, const double *t, double g, do
     GS_CHOOSE(gs_chord_synchronous_circle_drag_nu)(n, t, g, gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_drag_nuf(size_t n, const float *t, float g, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_drag_nuf)(n, t, g, gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_friction_drag(double t, double g, double mu, double gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_n)(1, &t, &g, &mu, &gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_dragf(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_nf)(1, &t, &g, &mu, &gamma, X, Y, R);
 }
 
 void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R)
@@ -11820,9 +18026,19 @@ void gs_chord_synchronous_circle_friction_drag_n(size_t n, const double *t, cons
     GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_n)(n, t, g, mu, gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_friction_drag_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nf)(n, t, g, mu, gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_friction_drag_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nu)(n, t, g, mu, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_friction_drag_nuf(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nuf)(n, t, g, mu, gamma, X, Y, R);
 }
 
 void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, double *X, double *Y, double *R)
@@ -11830,14 +18046,29 @@ void gs_chord_synchronous_circle(double t, double g, double mu, double gamma, do
     GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_n)(1, &t, &g, &mu, &gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circlef(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE_SINGLE(gs_chord_synchronous_circle_friction_drag_nf)(1, &t, &g, &mu, &gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_n(size_t n, const double *t, const double *g, const double *mu, const double *gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_n)(n, t, g, mu, gamma, X, Y, R);
 }
 
+void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nf)(n, t, g, mu, gamma, X, Y, R);
+}
+
 void gs_chord_synchronous_circle_nu(size_t n, const double *t, double g, double mu, double gamma, double *X, double *Y, double *R)
 {
     GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nu)(n, t, g, mu, gamma, X, Y, R);
+}
+
+void gs_chord_synchronous_circle_nuf(size_t n, const float *t, float g, float mu, float gamma, float *X, float *Y, float *R)
+{
+    GS_CHOOSE(gs_chord_synchronous_circle_friction_drag_nuf)(n, t, g, mu, gamma, X, Y, R);
 }
 
 double gs_chord_max_angle(double mu)
@@ -11847,9 +18078,21 @@ double gs_chord_max_angle(double mu)
     return angle;
 }
 
+float gs_chord_max_anglef(float mu)
+{
+    float angle;
+    GS_CHOOSE_SINGLE(gs_chord_max_angle_nf)(1, &mu, &angle);
+    return angle;
+}
+
 void gs_chord_max_angle_n(size_t n, const double *mu, double *angle)
 {
     GS_CHOOSE(gs_chord_max_angle_n)(n, mu, angle);
+}
+
+void gs_chord_max_angle_nf(size_t n, const float *mu, float *angle)
+{
+    GS_CHOOSE(gs_chord_max_angle_nf)(n, mu, angle);
 }
 
 double gs_projectile_flight_time_free(double theta, double v, double g)
@@ -11859,14 +18102,31 @@ double gs_projectile_flight_time_free(double theta, double v, double g)
     return time;
 }
 
+float gs_projectile_flight_time_freef(float theta, float v, float g)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_free_nf)(1, &theta, &v, &g, &time);
+    return time;
+}
+
 void gs_projectile_flight_time_free_n(size_t n, const double *theta, const double *v, const double *g, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_free_n)(n, theta, v, g, time);
 }
 
+void gs_projectile_flight_time_free_nf(size_t n, const float *theta, const float *v, const float *g, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_free_nf)(n, theta, v, g, time);
+}
+
 void gs_projectile_flight_time_free_nu(size_t n, const double *theta, double v, double g, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_free_nu)(n, theta, v, g, time);
+}
+
+void gs_projectile_flight_time_free_nuf(size_t n, const float *theta, float v, float g, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_free_nuf)(n, theta, v, g, time);
 }
 
 double gs_projectile_flight_time_drag(double theta, double v, double g, double k)
@@ -11876,14 +18136,31 @@ double gs_projectile_flight_time_drag(double theta, double v, double g, double k
     return time;
 }
 
+float gs_projectile_flight_time_dragf(float theta, float v, float g, float k)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_drag_nf)(1, &theta, &v, &g, &k, &time);
+    return time;
+}
+
 void gs_projectile_flight_time_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_drag_n)(n, theta, v, g, k, time);
 }
 
+void gs_projectile_flight_time_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nf)(n, theta, v, g, k, time);
+}
+
 void gs_projectile_flight_time_drag_nu(size_t n, const double *theta, double v, double g, double k, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_drag_nu)(n, theta, v, g, k, time);
+}
+
+void gs_projectile_flight_time_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nuf)(n, theta, v, g, k, time);
 }
 
 double gs_projectile_flight_time(double theta, double v, double g, double k)
@@ -11893,14 +18170,31 @@ double gs_projectile_flight_time(double theta, double v, double g, double k)
     return time;
 }
 
+float gs_projectile_flight_timef(float theta, float v, float g, float k)
+{
+    float time;
+    GS_CHOOSE_SINGLE(gs_projectile_flight_time_drag_nf)(1, &theta, &v, &g, &k, &time);
+    return time;
+}
+
 void gs_projectile_flight_time_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_drag_n)(n, theta, v, g, k, time);
 }
 
+void gs_projectile_flight_time_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nf)(n, theta, v, g, k, time);
+}
+
 void gs_projectile_flight_time_nu(size_t n, const double *theta, double v, double g, double k, double *time)
 {
     GS_CHOOSE(gs_projectile_flight_time_drag_nu)(n, theta, v, g, k, time);
+}
+
+void gs_projectile_flight_time_nuf(size_t n, const float *theta, float v, float g, float k, float *time)
+{
+    GS_CHOOSE(gs_projectile_flight_time_drag_nuf)(n, theta, v, g, k, time);
 }
 
 double gs_projectile_horizontal_range_free(double theta, double v, double g)
@@ -11910,14 +18204,31 @@ double gs_projectile_horizontal_range_free(double theta, double v, double g)
     return range;
 }
 
+float gs_projectile_horizontal_range_freef(float theta, float v, float g)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_free_nf)(1, &theta, &v, &g, &range);
+    return range;
+}
+
 void gs_projectile_horizontal_range_free_n(size_t n, const double *theta, const double *v, const double *g, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_free_n)(n, theta, v, g, range);
 }
 
+void gs_projectile_horizontal_range_free_nf(size_t n, const float *theta, const float *v, const float *g, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_free_nf)(n, theta, v, g, range);
+}
+
 void gs_projectile_horizontal_range_free_nu(size_t n, const double *theta, double v, double g, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_free_nu)(n, theta, v, g, range);
+}
+
+void gs_projectile_horizontal_range_free_nuf(size_t n, const float *theta, float v, float g, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_free_nuf)(n, theta, v, g, range);
 }
 
 double gs_projectile_horizontal_range_drag(double theta, double v, double g, double k)
@@ -11927,14 +18238,31 @@ double gs_projectile_horizontal_range_drag(double theta, double v, double g, dou
     return range;
 }
 
+float gs_projectile_horizontal_range_dragf(float theta, float v, float g, float k)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_drag_nf)(1, &theta, &v, &g, &k, &range);
+    return range;
+}
+
 void gs_projectile_horizontal_range_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_drag_n)(n, theta, v, g, k, range);
 }
 
+void gs_projectile_horizontal_range_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nf)(n, theta, v, g, k, range);
+}
+
 void gs_projectile_horizontal_range_drag_nu(size_t n, const double *theta, double v, double g, double k, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_drag_nu)(n, theta, v, g, k, range);
+}
+
+void gs_projectile_horizontal_range_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nuf)(n, theta, v, g, k, range);
 }
 
 double gs_projectile_horizontal_range(double theta, double v, double g, double k)
@@ -11944,9 +18272,21 @@ double gs_projectile_horizontal_range(double theta, double v, double g, double k
     return range;
 }
 
+float gs_projectile_horizontal_rangef(float theta, float v, float g, float k)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_horizontal_range_drag_nf)(1, &theta, &v, &g, &k, &range);
+    return range;
+}
+
 void gs_projectile_horizontal_range_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *range)
 {
     GS_CHOOSE(gs_projectile_horizontal_range_drag_n)(n, theta, v, g, k, range);
+}
+
+void gs_projectile_horizontal_range_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nf)(n, theta, v, g, k, range);
 }
 
 void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, double g, double k, double *range)
@@ -11954,9 +18294,19 @@ void gs_projectile_horizontal_range_nu(size_t n, const double *theta, double v, 
     GS_CHOOSE(gs_projectile_horizontal_range_drag_nu)(n, theta, v, g, k, range);
 }
 
+void gs_projectile_horizontal_range_nuf(size_t n, const float *theta, float v, float g, float k, float *range)
+{
+    GS_CHOOSE(gs_projectile_horizontal_range_drag_nuf)(n, theta, v, g, k, range);
+}
+
 void gs_projectile_position_free(double t, double theta, double v, double g, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_projectile_position_free_n)(1, &t, &theta, &v, &g, x, y);
+}
+
+void gs_projectile_position_freef(float t, float theta, float v, float g, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_free_nf)(1, &t, &theta, &v, &g, x, y);
 }
 
 void gs_projectile_position_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *x, double *y)
@@ -11964,9 +18314,19 @@ void gs_projectile_position_free_n(size_t n, const double *t, const double *thet
     GS_CHOOSE(gs_projectile_position_free_n)(n, t, theta, v, g, x, y);
 }
 
+void gs_projectile_position_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_free_nf)(n, t, theta, v, g, x, y);
+}
+
 void gs_projectile_position_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *x, double *y)
 {
     GS_CHOOSE(gs_projectile_position_free_nu)(n, t, theta, v, g, x, y);
+}
+
+void gs_projectile_position_free_nuf(size_t n, const float *t, const float *theta, float v, float g, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_free_nuf)(n, t, theta, v, g, x, y);
 }
 
 void gs_projectile_position_drag(double t, double theta, double v, double g, double k, double *x, double *y)
@@ -11974,9 +18334,19 @@ void gs_projectile_position_drag(double t, double theta, double v, double g, dou
     GS_CHOOSE_SINGLE(gs_projectile_position_drag_n)(1, &t, &theta, &v, &g, &k, x, y);
 }
 
+void gs_projectile_position_dragf(float t, float theta, float v, float g, float k, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_drag_nf)(1, &t, &theta, &v, &g, &k, x, y);
+}
+
 void gs_projectile_position_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y)
 {
     GS_CHOOSE(gs_projectile_position_drag_n)(n, t, theta, v, g, k, x, y);
+}
+
+void gs_projectile_position_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nf)(n, t, theta, v, g, k, x, y);
 }
 
 void gs_projectile_position_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y)
@@ -11984,9 +18354,19 @@ void gs_projectile_position_drag_nu(size_t n, const double *t, const double *the
     GS_CHOOSE(gs_projectile_position_drag_nu)(n, t, theta, v, g, k, x, y);
 }
 
+void gs_projectile_position_drag_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nuf)(n, t, theta, v, g, k, x, y);
+}
+
 void gs_projectile_position(double t, double theta, double v, double g, double k, double *x, double *y)
 {
     GS_CHOOSE_SINGLE(gs_projectile_position_drag_n)(1, &t, &theta, &v, &g, &k, x, y);
+}
+
+void gs_projectile_positionf(float t, float theta, float v, float g, float k, float *x, float *y)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_position_drag_nf)(1, &t, &theta, &v, &g, &k, x, y);
 }
 
 void gs_projectile_position_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *x, double *y)
@@ -11994,9 +18374,19 @@ void gs_projectile_position_n(size_t n, const double *t, const double *theta, co
     GS_CHOOSE(gs_projectile_position_drag_n)(n, t, theta, v, g, k, x, y);
 }
 
+void gs_projectile_position_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nf)(n, t, theta, v, g, k, x, y);
+}
+
 void gs_projectile_position_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *x, double *y)
 {
     GS_CHOOSE(gs_projectile_position_drag_nu)(n, t, theta, v, g, k, x, y);
+}
+
+void gs_projectile_position_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *x, float *y)
+{
+    GS_CHOOSE(gs_projectile_position_drag_nuf)(n, t, theta, v, g, k, x, y);
 }
 
 void gs_projectile_velocity_free(double t, double theta, double v, double g, double *vx, double *vy)
@@ -12004,9 +18394,19 @@ void gs_projectile_velocity_free(double t, double theta, double v, double g, dou
     GS_CHOOSE_SINGLE(gs_projectile_velocity_free_n)(1, &t, &theta, &v, &g, vx, vy);
 }
 
+void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_free_nf)(1, &t, &theta, &v, &g, vx, vy);
+}
+
 void gs_projectile_velocity_free_n(size_t n, const double *t, const double *theta, const double *v, const double *g, double *vx, double *vy)
 {
     GS_CHOOSE(gs_projectile_velocity_free_n)(n, t, theta, v, g, vx, vy);
+}
+
+void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_free_nf)(n, t, theta, v, g, vx, vy);
 }
 
 void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *theta, double v, double g, double *vx, double *vy)
@@ -12014,9 +18414,19 @@ void gs_projectile_velocity_free_nu(size_t n, const double *t, const double *the
     GS_CHOOSE(gs_projectile_velocity_free_nu)(n, t, theta, v, g, vx, vy);
 }
 
+void gs_projectile_velocity_free_nuf(size_t n, const float *t, const float *theta, float v, float g, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_free_nuf)(n, t, theta, v, g, vx, vy);
+}
+
 void gs_projectile_velocity_drag(double t, double theta, double v, double g, double k, double *vx, double *vy)
 {
     GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_n)(1, &t, &theta, &v, &g, &k, vx, vy);
+}
+
+void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_nf)(1, &t, &theta, &v, &g, &k, vx, vy);
 }
 
 void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
@@ -12024,9 +18434,19 @@ void gs_projectile_velocity_drag_n(size_t n, const double *t, const double *thet
     GS_CHOOSE(gs_projectile_velocity_drag_n)(n, t, theta, v, g, k, vx, vy);
 }
 
+void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nf)(n, t, theta, v, g, k, vx, vy);
+}
+
 void gs_projectile_velocity_drag_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy)
 {
     GS_CHOOSE(gs_projectile_velocity_drag_nu)(n, t, theta, v, g, k, vx, vy);
+}
+
+void gs_projectile_velocity_drag_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nuf)(n, t, theta, v, g, k, vx, vy);
 }
 
 void gs_projectile_velocity(double t, double theta, double v, double g, double k, double *vx, double *vy)
@@ -12034,14 +18454,29 @@ void gs_projectile_velocity(double t, double theta, double v, double g, double k
     GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_n)(1, &t, &theta, &v, &g, &k, vx, vy);
 }
 
+void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_velocity_drag_nf)(1, &t, &theta, &v, &g, &k, vx, vy);
+}
+
 void gs_projectile_velocity_n(size_t n, const double *t, const double *theta, const double *v, const double *g, const double *k, double *vx, double *vy)
 {
     GS_CHOOSE(gs_projectile_velocity_drag_n)(n, t, theta, v, g, k, vx, vy);
 }
 
+void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nf)(n, t, theta, v, g, k, vx, vy);
+}
+
 void gs_projectile_velocity_nu(size_t n, const double *t, const double *theta, double v, double g, double k, double *vx, double *vy)
 {
     GS_CHOOSE(gs_projectile_velocity_drag_nu)(n, t, theta, v, g, k, vx, vy);
+}
+
+void gs_projectile_velocity_nuf(size_t n, const float *t, const float *theta, float v, float g, float k, float *vx, float *vy)
+{
+    GS_CHOOSE(gs_projectile_velocity_drag_nuf)(n, t, theta, v, g, k, vx, vy);
 }
 
 double gs_projectile_range_slope_theta_free(double theta, double v, double g)
@@ -12051,14 +18486,31 @@ double gs_projectile_range_slope_theta_free(double theta, double v, double g)
     return slope;
 }
 
+float gs_projectile_range_slope_theta_freef(float theta, float v, float g)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_free_nf)(1, &theta, &v, &g, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_theta_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_free_n)(n, theta, v, g, slope);
 }
 
+void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_free_nf)(n, theta, v, g, slope);
+}
+
 void gs_projectile_range_slope_theta_free_nu(size_t n, const double *theta, double v, double g, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_free_nu)(n, theta, v, g, slope);
+}
+
+void gs_projectile_range_slope_theta_free_nuf(size_t n, const float *theta, float v, float g, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_free_nuf)(n, theta, v, g, slope);
 }
 
 double gs_projectile_range_slope_theta_drag(double theta, double v, double g, double k)
@@ -12068,14 +18520,31 @@ double gs_projectile_range_slope_theta_drag(double theta, double v, double g, do
     return slope;
 }
 
+float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_drag_nf)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_theta_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_drag_n)(n, theta, v, g, k, slope);
 }
 
+void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nf)(n, theta, v, g, k, slope);
+}
+
 void gs_projectile_range_slope_theta_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_drag_nu)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_theta_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nuf)(n, theta, v, g, k, slope);
 }
 
 double gs_projectile_range_slope_theta(double theta, double v, double g, double k)
@@ -12085,14 +18554,31 @@ double gs_projectile_range_slope_theta(double theta, double v, double g, double 
     return slope;
 }
 
+float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_theta_drag_nf)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_theta_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_drag_n)(n, theta, v, g, k, slope);
 }
 
+void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nf)(n, theta, v, g, k, slope);
+}
+
 void gs_projectile_range_slope_theta_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_theta_drag_nu)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_theta_nuf(size_t n, const float *theta, float v, float g, float k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_theta_drag_nuf)(n, theta, v, g, k, slope);
 }
 
 double gs_projectile_range_slope_k_free(double theta, double v, double g)
@@ -12102,14 +18588,31 @@ double gs_projectile_range_slope_k_free(double theta, double v, double g)
     return slope;
 }
 
+float gs_projectile_range_slope_k_freef(float theta, float v, float g)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_free_nf)(1, &theta, &v, &g, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_k_free_n(size_t n, const double *theta, const double *v, const double *g, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_free_n)(n, theta, v, g, slope);
 }
 
+void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_free_nf)(n, theta, v, g, slope);
+}
+
 void gs_projectile_range_slope_k_free_nu(size_t n, const double *theta, double v, double g, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_free_nu)(n, theta, v, g, slope);
+}
+
+void gs_projectile_range_slope_k_free_nuf(size_t n, const float *theta, float v, float g, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_free_nuf)(n, theta, v, g, slope);
 }
 
 double gs_projectile_range_slope_k_drag(double theta, double v, double g, double k)
@@ -12119,14 +18622,31 @@ double gs_projectile_range_slope_k_drag(double theta, double v, double g, double
     return slope;
 }
 
+float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_drag_nf)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_k_drag_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_drag_n)(n, theta, v, g, k, slope);
 }
 
+void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nf)(n, theta, v, g, k, slope);
+}
+
 void gs_projectile_range_slope_k_drag_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_drag_nu)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_k_drag_nuf(size_t n, const float *theta, float v, float g, float k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nuf)(n, theta, v, g, k, slope);
 }
 
 double gs_projectile_range_slope_k(double theta, double v, double g, double k)
@@ -12136,14 +18656,31 @@ double gs_projectile_range_slope_k(double theta, double v, double g, double k)
     return slope;
 }
 
+float gs_projectile_range_slope_kf(float theta, float v, float g, float k)
+{
+    float slope;
+    GS_CHOOSE_SINGLE(gs_projectile_range_slope_k_drag_nf)(1, &theta, &v, &g, &k, &slope);
+    return slope;
+}
+
 void gs_projectile_range_slope_k_n(size_t n, const double *theta, const double *v, const double *g, const double *k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_drag_n)(n, theta, v, g, k, slope);
 }
 
+void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nf)(n, theta, v, g, k, slope);
+}
+
 void gs_projectile_range_slope_k_nu(size_t n, const double *theta, double v, double g, double k, double *slope)
 {
     GS_CHOOSE(gs_projectile_range_slope_k_drag_nu)(n, theta, v, g, k, slope);
+}
+
+void gs_projectile_range_slope_k_nuf(size_t n, const float *theta, float v, float g, float k, float *slope)
+{
+    GS_CHOOSE(gs_projectile_range_slope_k_drag_nuf)(n, theta, v, g, k, slope);
 }
 
 double gs_projectile_max_range_free(double v, double g)
@@ -12153,9 +18690,21 @@ double gs_projectile_max_range_free(double v, double g)
     return range;
 }
 
+float gs_projectile_max_range_freef(float v, float g)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_free_nf)(1, &v, &g, &range);
+    return range;
+}
+
 void gs_projectile_max_range_free_n(size_t n, const double *v, const double *g, double *range)
 {
     GS_CHOOSE(gs_projectile_max_range_free_n)(n, v, g, range);
+}
+
+void gs_projectile_max_range_free_nf(size_t n, const float *v, const float *g, float *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_free_nf)(n, v, g, range);
 }
 
 double gs_projectile_max_range_drag(double v, double g, double k)
@@ -12165,9 +18714,21 @@ double gs_projectile_max_range_drag(double v, double g, double k)
     return range;
 }
 
+float gs_projectile_max_range_dragf(float v, float g, float k)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_drag_nf)(1, &v, &g, &k, &range);
+    return range;
+}
+
 void gs_projectile_max_range_drag_n(size_t n, const double *v, const double *g, const double *k, double *range)
 {
     GS_CHOOSE(gs_projectile_max_range_drag_n)(n, v, g, k, range);
+}
+
+void gs_projectile_max_range_drag_nf(size_t n, const float *v, const float *g, const float *k, float *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_drag_nf)(n, v, g, k, range);
 }
 
 double gs_projectile_max_range(double v, double g, double k)
@@ -12177,9 +18738,21 @@ double gs_projectile_max_range(double v, double g, double k)
     return range;
 }
 
+float gs_projectile_max_rangef(float v, float g, float k)
+{
+    float range;
+    GS_CHOOSE_SINGLE(gs_projectile_max_range_drag_nf)(1, &v, &g, &k, &range);
+    return range;
+}
+
 void gs_projectile_max_range_n(size_t n, const double *v, const double *g, const double *k, double *range)
 {
     GS_CHOOSE(gs_projectile_max_range_drag_n)(n, v, g, k, range);
+}
+
+void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const float *k, float *range)
+{
+    GS_CHOOSE(gs_projectile_max_range_drag_nf)(n, v, g, k, range);
 }
 #undef GS_SUFFIX
 #undef GS_CHOOSE
@@ -12525,13 +19098,6 @@ static inline double gs_settle(gs_scaled value, int undecided)
     return undecided && value.hi != 0.0 ? gs_invalid() : gs_store(value);
 }
 
-/* An angle in binary32: the float next to pi/2, which lies above it, counts as pi/2. */
-static inline double gs_widen_angle(float theta)
-{
-    const double x = theta;
-    return fabsf(theta) == (float)gs_half_pi[0] ? copysign(gs_half_pi[0], x) : x;
-}
-
 /* The float next to the most that an argument may be counts as that. */
 static inline double gs_widen_to(float x, float most, double wide)
 {
@@ -12696,61 +19262,6 @@ double gs_scaled_chord_descent_time_friction_drag(double theta_in, double diamet
     return gs_settle(gs_mul(t0, gs_descent_factor(p)), ((isinf(diameter_in) || isinf(gamma_in)) && isinf(g_in)));
 }
 
-float gs_chord_descent_time_freef(float theta, float diameter, float g)
-{
-    return (float)gs_chord_descent_time_free(gs_widen_angle(theta), (double)diameter, (double)g);
-}
-
-void gs_chord_descent_time_free_nf(size_t n, const float *theta, const float *diameter, const float *g, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_freef(theta[i], diameter[i], g[i]);
-}
-
-float gs_chord_descent_time_frictionf(float theta, float diameter, float g, float mu)
-{
-    return (float)gs_chord_descent_time_friction(gs_widen_angle(theta), (double)diameter, (double)g, (double)mu);
-}
-
-void gs_chord_descent_time_friction_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_frictionf(theta[i], diameter[i], g[i], mu[i]);
-}
-
-float gs_chord_descent_time_dragf(float theta, float diameter, float g, float gamma)
-{
-    return (float)gs_chord_descent_time_drag(gs_widen_angle(theta), (double)diameter, (double)g, (double)gamma);
-}
-
-void gs_chord_descent_time_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *gamma, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_dragf(theta[i], diameter[i], g[i], gamma[i]);
-}
-
-float gs_chord_descent_time_friction_dragf(float theta, float diameter, float g, float mu, float gamma)
-{
-    return (float)gs_chord_descent_time_friction_drag(gs_widen_angle(theta), (double)diameter, (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_descent_time_friction_drag_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_time_friction_dragf(theta[i], diameter[i], g[i], mu[i], gamma[i]);
-}
-
-float gs_chord_descent_timef(float theta, float diameter, float g, float mu, float gamma)
-{
-    return (float)gs_chord_descent_time(gs_widen_angle(theta), (double)diameter, (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_descent_time_nf(size_t n, const float *theta, const float *diameter, const float *g, const float *mu, const float *gamma, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_chord_descent_timef(theta[i], diameter[i], g[i], mu[i], gamma[i]);
-}
-
 /* stable.chord.distance.free, the stable form of chord.eq1.
  * Operations: 3 mul, 1 sine and cosine. */
 double gs_scaled_chord_distance_free(double t_in, double theta_in, double g_in)
@@ -12825,61 +19336,6 @@ double gs_scaled_chord_distance_friction_drag(double t_in, double theta_in, doub
     return gs_settle(gs_mul(gs_mul(fall, n), gs_phi2m(z)), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
-float gs_chord_distance_freef(float t, float theta, float g)
-{
-    return (float)gs_chord_distance_free((double)t, gs_widen_angle(theta), (double)g);
-}
-
-void gs_chord_distance_free_nf(size_t n, const float *t, const float *theta, const float *g, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_freef(t[i], theta[i], g[i]);
-}
-
-float gs_chord_distance_frictionf(float t, float theta, float g, float mu)
-{
-    return (float)gs_chord_distance_friction((double)t, gs_widen_angle(theta), (double)g, (double)mu);
-}
-
-void gs_chord_distance_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_frictionf(t[i], theta[i], g[i], mu[i]);
-}
-
-float gs_chord_distance_dragf(float t, float theta, float g, float gamma)
-{
-    return (float)gs_chord_distance_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma);
-}
-
-void gs_chord_distance_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_dragf(t[i], theta[i], g[i], gamma[i]);
-}
-
-float gs_chord_distance_friction_dragf(float t, float theta, float g, float mu, float gamma)
-{
-    return (float)gs_chord_distance_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_distance_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distance_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
-float gs_chord_distancef(float t, float theta, float g, float mu, float gamma)
-{
-    return (float)gs_chord_distance((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_distance_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *distance)
-{
-    for (size_t i = 0; i < n; i++)
-        distance[i] = gs_chord_distancef(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
 /* stable.chord.speed.free, the stable form of chord.eq1.
  * Operations: 2 mul, 1 sine and cosine. */
 double gs_scaled_chord_speed_free(double t_in, double theta_in, double g_in)
@@ -12948,61 +19404,6 @@ double gs_scaled_chord_speed_friction_drag(double t_in, double theta_in, double 
         return 0.0;
     const gs_scaled z = gs_mul(t, gamma);
     return gs_settle(gs_mul(gs_mul(gs_mul(t, g), n), gs_phi1m(z)), (isinf(g_in) && isinf(gamma_in)));
-}
-
-float gs_chord_speed_freef(float t, float theta, float g)
-{
-    return (float)gs_chord_speed_free((double)t, gs_widen_angle(theta), (double)g);
-}
-
-void gs_chord_speed_free_nf(size_t n, const float *t, const float *theta, const float *g, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_freef(t[i], theta[i], g[i]);
-}
-
-float gs_chord_speed_frictionf(float t, float theta, float g, float mu)
-{
-    return (float)gs_chord_speed_friction((double)t, gs_widen_angle(theta), (double)g, (double)mu);
-}
-
-void gs_chord_speed_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_frictionf(t[i], theta[i], g[i], mu[i]);
-}
-
-float gs_chord_speed_dragf(float t, float theta, float g, float gamma)
-{
-    return (float)gs_chord_speed_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma);
-}
-
-void gs_chord_speed_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_dragf(t[i], theta[i], g[i], gamma[i]);
-}
-
-float gs_chord_speed_friction_dragf(float t, float theta, float g, float mu, float gamma)
-{
-    return (float)gs_chord_speed_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_speed_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speed_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i]);
-}
-
-float gs_chord_speedf(float t, float theta, float g, float mu, float gamma)
-{
-    return (float)gs_chord_speed((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma);
-}
-
-void gs_chord_speed_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *speed)
-{
-    for (size_t i = 0; i < n; i++)
-        speed[i] = gs_chord_speedf(t[i], theta[i], g[i], mu[i], gamma[i]);
 }
 
 /* stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
@@ -13113,76 +19514,6 @@ void gs_scaled_chord_position_friction_drag(double t_in, double theta_in, double
     *y_out = gs_settle(gs_mul(shared, C), ((isinf(t_in) || isinf(g_in)) && isinf(gamma_in)));
 }
 
-void gs_chord_position_freef(float t, float theta, float g, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position_free((double)t, gs_widen_angle(theta), (double)g, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_free_nf(size_t n, const float *t, const float *theta, const float *g, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_freef(t[i], theta[i], g[i], x + i, y + i);
-}
-
-void gs_chord_position_frictionf(float t, float theta, float g, float mu, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position_friction((double)t, gs_widen_angle(theta), (double)g, (double)mu, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_friction_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_frictionf(t[i], theta[i], g[i], mu[i], x + i, y + i);
-}
-
-void gs_chord_position_dragf(float t, float theta, float g, float gamma, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position_drag((double)t, gs_widen_angle(theta), (double)g, (double)gamma, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *gamma, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_dragf(t[i], theta[i], g[i], gamma[i], x + i, y + i);
-}
-
-void gs_chord_position_friction_dragf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position_friction_drag((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_friction_drag_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_position_friction_dragf(t[i], theta[i], g[i], mu[i], gamma[i], x + i, y + i);
-}
-
-void gs_chord_positionf(float t, float theta, float g, float mu, float gamma, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_chord_position((double)t, gs_widen_angle(theta), (double)g, (double)mu, (double)gamma, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_chord_position_nf(size_t n, const float *t, const float *theta, const float *g, const float *mu, const float *gamma, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_positionf(t[i], theta[i], g[i], mu[i], gamma[i], x + i, y + i);
-}
-
 /* stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
  * Operations: 2 mul. */
 void gs_scaled_chord_synchronous_circle_free(double t_in, double g_in, double *X_out, double *Y_out, double *R_out)
@@ -13271,81 +19602,6 @@ void gs_scaled_chord_synchronous_circle_friction_drag(double t_in, double g_in, 
     *R_out = gs_settle(gs_mul(gs_sqrt(gs_add(gs_constant(1.0), gs_mul(mu, mu))), gs_scale(shared, -1)), ((isinf(t_in) || isinf(g_in) || isinf(mu_in)) && isinf(gamma_in)));
 }
 
-void gs_chord_synchronous_circle_freef(float t, float g, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle_free((double)t, (double)g, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_free_nf(size_t n, const float *t, const float *g, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_freef(t[i], g[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circle_frictionf(float t, float g, float mu, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle_friction((double)t, (double)g, (double)mu, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_friction_nf(size_t n, const float *t, const float *g, const float *mu, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_frictionf(t[i], g[i], mu[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circle_dragf(float t, float g, float gamma, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle_drag((double)t, (double)g, (double)gamma, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_drag_nf(size_t n, const float *t, const float *g, const float *gamma, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_dragf(t[i], g[i], gamma[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circle_friction_dragf(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle_friction_drag((double)t, (double)g, (double)mu, (double)gamma, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_friction_drag_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circle_friction_dragf(t[i], g[i], mu[i], gamma[i], X + i, Y + i, R + i);
-}
-
-void gs_chord_synchronous_circlef(float t, float g, float mu, float gamma, float *X, float *Y, float *R)
-{
-    double X_wide, Y_wide, R_wide;
-    gs_chord_synchronous_circle((double)t, (double)g, (double)mu, (double)gamma, &X_wide, &Y_wide, &R_wide);
-    *X = (float)X_wide;
-    *Y = (float)Y_wide;
-    *R = (float)R_wide;
-}
-
-void gs_chord_synchronous_circle_nf(size_t n, const float *t, const float *g, const float *mu, const float *gamma, float *X, float *Y, float *R)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_chord_synchronous_circlef(t[i], g[i], mu[i], gamma[i], X + i, Y + i, R + i);
-}
-
 /* stable.chord.max_angle, the stable form of chord.eq13.
  * Operations: 1 table. */
 double gs_scaled_chord_max_angle(double mu_in)
@@ -13356,17 +19612,6 @@ double gs_scaled_chord_max_angle(double mu_in)
         return gs_invalid();
     const gs_scaled mu = gs_load(mu_in);
     return gs_store(gs_acot(mu));
-}
-
-float gs_chord_max_anglef(float mu)
-{
-    return (float)gs_chord_max_angle((double)mu);
-}
-
-void gs_chord_max_angle_nf(size_t n, const float *mu, float *angle)
-{
-    for (size_t i = 0; i < n; i++)
-        angle[i] = gs_chord_max_anglef(mu[i]);
 }
 
 /* ---- decay.c ---- */
@@ -14268,39 +20513,6 @@ double gs_scaled_projectile_flight_time_drag(double theta_in, double v_in, doubl
     return gs_settle(gs_scale(gs_mul(rise, gs_flight_factor(b)), 1), (isinf(v_in) && isinf(g_in)));
 }
 
-float gs_projectile_flight_time_freef(float theta, float v, float g)
-{
-    return (float)gs_projectile_flight_time_free(gs_widen_angle(theta), (double)v, (double)g);
-}
-
-void gs_projectile_flight_time_free_nf(size_t n, const float *theta, const float *v, const float *g, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_time_freef(theta[i], v[i], g[i]);
-}
-
-float gs_projectile_flight_time_dragf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_flight_time_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_flight_time_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_time_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-float gs_projectile_flight_timef(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_flight_time(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_flight_time_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *time)
-{
-    for (size_t i = 0; i < n; i++)
-        time[i] = gs_projectile_flight_timef(theta[i], v[i], g[i], k[i]);
-}
-
 /* stable.projectile.horizontal_range.free, the stable form of projectile.nodrag.range.
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 double gs_scaled_projectile_horizontal_range_free(double theta_in, double v_in, double g_in)
@@ -14335,39 +20547,6 @@ double gs_scaled_projectile_horizontal_range_drag(double theta_in, double v_in, 
     const gs_scaled C = gs_cosine(a);
     const gs_scaled b = gs_mul(k, rise);
     return gs_settle(gs_scale(gs_mul(gs_mul(gs_mul(v, rise), C), gs_range_factor(b)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-float gs_projectile_horizontal_range_freef(float theta, float v, float g)
-{
-    return (float)gs_projectile_horizontal_range_free(gs_widen_angle(theta), (double)v, (double)g);
-}
-
-void gs_projectile_horizontal_range_free_nf(size_t n, const float *theta, const float *v, const float *g, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_range_freef(theta[i], v[i], g[i]);
-}
-
-float gs_projectile_horizontal_range_dragf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_horizontal_range_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_horizontal_range_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_range_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-float gs_projectile_horizontal_rangef(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_horizontal_range(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_horizontal_range_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_horizontal_rangef(theta[i], v[i], g[i], k[i]);
 }
 
 /* stable.projectile.position.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
@@ -14420,48 +20599,6 @@ void gs_scaled_projectile_position_drag(double t_in, double theta_in, double v_i
     *y_out = gs_settle(gs_sub(gs_mul(reach, S), gs_mul(fall, gs_phi2m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && isinf(k_in)) || ((isinf(t_in) || isinf(g_in)) && isinf(k_in))));
 }
 
-void gs_projectile_position_freef(float t, float theta, float v, float g, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_projectile_position_free((double)t, gs_widen_angle(theta), (double)v, (double)g, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_projectile_position_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_position_freef(t[i], theta[i], v[i], g[i], x + i, y + i);
-}
-
-void gs_projectile_position_dragf(float t, float theta, float v, float g, float k, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_projectile_position_drag((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_projectile_position_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_position_dragf(t[i], theta[i], v[i], g[i], k[i], x + i, y + i);
-}
-
-void gs_projectile_positionf(float t, float theta, float v, float g, float k, float *x, float *y)
-{
-    double x_wide, y_wide;
-    gs_projectile_position((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &x_wide, &y_wide);
-    *x = (float)x_wide;
-    *y = (float)y_wide;
-}
-
-void gs_projectile_position_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *x, float *y)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_positionf(t[i], theta[i], v[i], g[i], k[i], x + i, y + i);
-}
-
 /* stable.projectile.velocity.free, the stable form of projectile.nodrag.x, projectile.nodrag.y.
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void gs_scaled_projectile_velocity_free(double t_in, double theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
@@ -14509,48 +20646,6 @@ void gs_scaled_projectile_velocity_drag(double t_in, double theta_in, double v_i
     *vy_out = gs_settle(gs_sub(gs_mul(gs_mul(v, fade), S), gs_mul(gs_mul(t, g), gs_phi1m(z))), ((isinf(v_in) && (isinf(t_in) || isinf(g_in))) || (isinf(v_in) && (isinf(t_in) || isinf(k_in))) || (isinf(g_in) && isinf(k_in))));
 }
 
-void gs_projectile_velocity_freef(float t, float theta, float v, float g, float *vx, float *vy)
-{
-    double vx_wide, vy_wide;
-    gs_projectile_velocity_free((double)t, gs_widen_angle(theta), (double)v, (double)g, &vx_wide, &vy_wide);
-    *vx = (float)vx_wide;
-    *vy = (float)vy_wide;
-}
-
-void gs_projectile_velocity_free_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, float *vx, float *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocity_freef(t[i], theta[i], v[i], g[i], vx + i, vy + i);
-}
-
-void gs_projectile_velocity_dragf(float t, float theta, float v, float g, float k, float *vx, float *vy)
-{
-    double vx_wide, vy_wide;
-    gs_projectile_velocity_drag((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &vx_wide, &vy_wide);
-    *vx = (float)vx_wide;
-    *vy = (float)vy_wide;
-}
-
-void gs_projectile_velocity_drag_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocity_dragf(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
-}
-
-void gs_projectile_velocityf(float t, float theta, float v, float g, float k, float *vx, float *vy)
-{
-    double vx_wide, vy_wide;
-    gs_projectile_velocity((double)t, gs_widen_angle(theta), (double)v, (double)g, (double)k, &vx_wide, &vy_wide);
-    *vx = (float)vx_wide;
-    *vy = (float)vy_wide;
-}
-
-void gs_projectile_velocity_nf(size_t n, const float *t, const float *theta, const float *v, const float *g, const float *k, float *vx, float *vy)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_velocityf(t[i], theta[i], v[i], g[i], k[i], vx + i, vy + i);
-}
-
 /* stable.projectile.range_slope_theta.free, the stable form of projectile.nodrag.range.
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 double gs_scaled_projectile_range_slope_theta_free(double theta_in, double v_in, double g_in)
@@ -14584,39 +20679,6 @@ double gs_scaled_projectile_range_slope_theta_drag(double theta_in, double v_in,
     const gs_scaled rise = gs_div(gs_mul(v, S), g);
     const gs_scaled b = gs_mul(k, rise);
     return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(gs_mul(v, v), gs_sub(gs_mul(gs_mul(C, C), gs_range_balance(b)), gs_mul(S, S))), gs_range_factor(b)), g), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-float gs_projectile_range_slope_theta_freef(float theta, float v, float g)
-{
-    return (float)gs_projectile_range_slope_theta_free(gs_widen_angle(theta), (double)v, (double)g);
-}
-
-void gs_projectile_range_slope_theta_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_theta_freef(theta[i], v[i], g[i]);
-}
-
-float gs_projectile_range_slope_theta_dragf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_range_slope_theta_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_range_slope_theta_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_theta_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-float gs_projectile_range_slope_thetaf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_range_slope_theta(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_range_slope_theta_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_thetaf(theta[i], v[i], g[i], k[i]);
 }
 
 /* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
@@ -14655,39 +20717,6 @@ double gs_scaled_projectile_range_slope_k_drag(double theta_in, double v_in, dou
     return gs_settle(gs_scale(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), gs_range_loss(b)), g)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
-float gs_projectile_range_slope_k_freef(float theta, float v, float g)
-{
-    return (float)gs_projectile_range_slope_k_free(gs_widen_angle(theta), (double)v, (double)g);
-}
-
-void gs_projectile_range_slope_k_free_nf(size_t n, const float *theta, const float *v, const float *g, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_k_freef(theta[i], v[i], g[i]);
-}
-
-float gs_projectile_range_slope_k_dragf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_range_slope_k_drag(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_range_slope_k_drag_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_k_dragf(theta[i], v[i], g[i], k[i]);
-}
-
-float gs_projectile_range_slope_kf(float theta, float v, float g, float k)
-{
-    return (float)gs_projectile_range_slope_k(gs_widen_angle(theta), (double)v, (double)g, (double)k);
-}
-
-void gs_projectile_range_slope_k_nf(size_t n, const float *theta, const float *v, const float *g, const float *k, float *slope)
-{
-    for (size_t i = 0; i < n; i++)
-        slope[i] = gs_projectile_range_slope_kf(theta[i], v[i], g[i], k[i]);
-}
-
 /* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
  * Operations: 1 div, 1 mul. */
 double gs_scaled_projectile_max_range_free(double v_in, double g_in)
@@ -14714,39 +20743,6 @@ double gs_scaled_projectile_max_range_drag(double v_in, double g_in, double k_in
     const gs_scaled k = gs_load(k_in);
     const gs_scaled alpha = gs_div(gs_mul(v, k), g);
     return gs_settle(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-float gs_projectile_max_range_freef(float v, float g)
-{
-    return (float)gs_projectile_max_range_free((double)v, (double)g);
-}
-
-void gs_projectile_max_range_free_nf(size_t n, const float *v, const float *g, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_range_freef(v[i], g[i]);
-}
-
-float gs_projectile_max_range_dragf(float v, float g, float k)
-{
-    return (float)gs_projectile_max_range_drag((double)v, (double)g, (double)k);
-}
-
-void gs_projectile_max_range_drag_nf(size_t n, const float *v, const float *g, const float *k, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_range_dragf(v[i], g[i], k[i]);
-}
-
-float gs_projectile_max_rangef(float v, float g, float k)
-{
-    return (float)gs_projectile_max_range((double)v, (double)g, (double)k);
-}
-
-void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const float *k, float *range)
-{
-    for (size_t i = 0; i < n; i++)
-        range[i] = gs_projectile_max_rangef(v[i], g[i], k[i]);
 }
 
 /* The largest value that is told, without flags: it is only compared with. */

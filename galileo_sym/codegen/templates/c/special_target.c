@@ -19,7 +19,7 @@
 
 #define GS_LANES @LANES@
 #define GS_SUFFIX _@SUFFIX@
-#include "galileo_loops.h"
+#include "galileo_singles.h"
 
 @LOOPS@
 #if defined(__clang__)

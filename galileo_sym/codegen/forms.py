@@ -1,0 +1,304 @@
+"""The text of the papers' formulas on vectors: on pairs of doubles, and for binary32 in plain double arithmetic.
+
+For arguments of ordinary size; other lanes are handed to the scaled form, which comes from the same schedule. Each form
+is emitted twice: with an array for every argument, and with one value for each keyword argument, where what depends on
+those alone is computed once.
+"""
+
+from dataclasses import dataclass, field
+
+from galileo_sym.codegen.printing import counts_text, sources_text
+from galileo_sym.codegen.schedule import schedule
+
+ARRAYS, VALUES = "n", "nu"  # the shapes: all arguments arrays; the keyword arguments one value each
+_RATES = ("gamma", "k")  # they enter by factors that are 1 where they are small
+_AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """How a form computes: C types, what its operations begin with, and which of them may fail in a lane.
+
+    ``kind`` is the type of arguments and results, ``ending`` that of names; ``number`` and ``turn`` the types of values
+    and angles. ``load``, ``store``, ``padded`` name what moves vectors; ``taken`` makes a number of a lane's argument,
+    ``value`` a lane's result of a number; ``widened`` makes a double of an argument for the scaled form. ``ordinary``
+    tests arguments by domain; ``failing`` gives the masks that an operation changes.
+    """
+
+    kind: str
+    ending: str
+    prefix: str
+    number: str
+    turn: str
+    load: str
+    store: str
+    padded: str
+    taken: str
+    value: str
+    widened: dict
+    ordinary: dict
+    failing: dict
+
+
+DOUBLE = Arithmetic(
+    kind="double",
+    ending="",
+    prefix="gs_vp_",
+    number="gs_vp",
+    turn="gs_turn",
+    load="gs_v_load",
+    store="gs_v_store",
+    padded="gs_padded",
+    taken="gs_vp_load({})",
+    value="({}).hi",
+    widened={},
+    ordinary={  # no term of a formula over- or underflows, nor what a product leaves
+        "positive": "gs_between({}, 0x1p-100, 0x1p+100)",
+        "nonnegative": "gs_between_or_0({}, 0x1p-100, 0x1p+100)",
+        "rate": "gs_between_or_0({}, 0x1p-700, 0x1p+100)",
+        "chord angle": "gs_between_or_0(gs_abs({}), 0x1p-100, GS_HALF_TURN_0)",
+        "elevation": "gs_between_or_0({}, 0x1p-100, GS_HALF_TURN_0)",
+        "chord angle, idle": "gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs({}))",
+    },
+    failing={"driving": ("good", "held"), "phi0m": ("good",), "range_balance": ("good",)},
+)
+SINGLE = Arithmetic(
+    kind="float",
+    ending="f",
+    prefix="gs_s_",
+    number="gs_v",
+    turn="gs_turn_single",
+    load="gs_v_widen",
+    store="gs_v_narrow",
+    padded="gs_padded_single",
+    taken="{}",
+    value="{}",
+    widened={"chord angle": "gs_wide_angle({})", "elevation": "gs_wide_angle({})"},
+    ordinary={
+        "positive": "gs_between({}, 0x1p-149, 0x1p+128)",
+        "nonnegative": "gs_between({}, 0.0, 0x1p+128)",
+        "rate": "gs_between({}, 0.0, 0x1p+128)",
+        "chord angle": "gs_between(gs_abs({}), 0.0, GS_HALF_TURN_SINGLE)",
+        "elevation": "gs_between({}, 0.0, GS_HALF_TURN_SINGLE)",
+        "chord angle, idle": "gs_between(gs_abs({}), 0.0, GS_HALF_TURN_SINGLE)",
+    },
+    failing={"driving": ("good", "held"), "add": ("good",), "sub": ("good",)},
+)
+
+
+def name_of(function, force_set):
+    """Return the C name of a form without its ending; an empty force set gives the unsuffixed one."""
+    return f"gs_{function.paper}_{function.name}" + (f"_{force_set}" if force_set else "")
+
+
+def scaled_name(function, force_set):
+    """Return the C name of the scaled form, for single numbers of any size."""
+    return name_of(function, force_set).replace("gs_", "gs_scaled_", 1)
+
+
+def parameters(function, force_set, shape, kind):
+    """Return (type, name) of the C parameters of a form."""
+    arrays = function.positional if shape == VALUES else [a.name for a in function.arguments(force_set)]
+    given = [(f"const {kind} *" if a.name in arrays else f"{kind} ", a.name) for a in function.arguments(force_set)]
+    return [("size_t ", "n"), *given, *((f"{kind} *", o.name) for o in function.outputs)]
+
+
+def _operands(node):
+    """The operands of a node that are nodes."""
+    return () if isinstance(node, str) else tuple(o for o in node[1:] if isinstance(o, str | tuple))
+
+
+@dataclass
+class _Body:
+    """Lines that come before the loop, and those in it; the names of what varies."""
+
+    arithmetic: Arithmetic
+    varying: set
+    once: list = field(default_factory=list)
+    each: list = field(default_factory=list)
+    named: dict = field(default_factory=dict)
+
+    def varies(self, node):
+        """Whether a node depends on an array."""
+        return node in self.varying if isinstance(node, str) else any(self.varies(o) for o in _operands(node))
+
+    def text(self, node):
+        """A node as nested calls; what in it does not vary gets a name before the loop."""
+        if isinstance(node, str):
+            return node
+        if not self.varies(node) and node[0] != "constant":
+            return self._before(node)
+        return self._call(node, [self.text(o) for o in _operands(node)], "good")
+
+    def _before(self, node):
+        if node not in self.named:
+            self.named[node] = f"once{len(self.named) + 1}"
+            self.once.append(f"    const {self.arithmetic.number} {self.named[node]} = {self._nested(node)};")
+        return self.named[node]
+
+    def _nested(self, node):
+        if isinstance(node, str):
+            return node
+        return self._call(node, [self._nested(o) for o in _operands(node)], "known")
+
+    def _call(self, node, operands, good):
+        prefix = self.arithmetic.prefix
+        if node[0] == "scale":
+            return f"{prefix}scaled({operands[0]}, {float(2) ** node[2]!r})"
+        if node[0] == "constant":
+            return f"{prefix}constant({node[1]!r})"
+        masks = [f"&{good if mask == 'good' else mask}" for mask in self.arithmetic.failing.get(node[0], ())]
+        return f"{prefix}{node[0]}({', '.join([*operands, *masks])})"
+
+    def assign(self, name, node):
+        """Add an assignment where it belongs."""
+        if self.varies(node):
+            kind = self.arithmetic.turn if node[0] == "angle" else self.arithmetic.number
+            self.each.append(f"        const {kind} {name} = {self.text(node)};")
+            self.varying.add(name)
+        else:
+            self.once.append(f"    const {self.arithmetic.number} {name} = {self._nested(node)};")
+
+
+class _Form:
+    """What the parts of a form's text need to know."""
+
+    def __init__(self, function, force_set, shape, arithmetic):
+        self.function, self.force_set, self.shape, self.arithmetic = function, force_set, shape, arithmetic
+        self.plan = schedule(function, force_set)
+        self.arguments = function.arguments(force_set)
+        self.arrays = [a for a in self.arguments if shape == ARRAYS or a.name in function.positional]
+        self.values = [a for a in self.arguments if a not in self.arrays]
+        self.outputs = [o.name for o in function.outputs]
+        made = {node[0] for _, node in self.plan.steps}
+        self.turned, self.held = "angle" in made, "driving" in made
+
+    def head(self):
+        """The comment, and the signature."""
+        given = parameters(self.function, self.force_set, self.shape, self.arithmetic.kind)
+        names = ["count", *(f"{a.name}_in" for a in self.arguments), *(f"{o}_out" for o in self.outputs)]
+        signature = ", ".join(f"{kind}{name}" for (kind, _), name in zip(given, names, strict=True))
+        name = f"{name_of(self.function, self.force_set)}_{self.shape}{self.arithmetic.ending}"
+        return [
+            f"/* {sources_text(self.function, self.force_set)}.",
+            f" * Operations: {counts_text(self.plan)}. */",
+            f"void GS_JOIN({name}, GS_SUFFIX)({signature})",
+        ]
+
+    def masks(self, name, start, arguments):
+        """Lines that make a mask of lanes that are of ordinary size."""
+        tests = [*start, *map(self._test, arguments)]
+        return [f"gs_mask {name} = {tests[0]};"] + [f"{name} = gs_both({name}, {test});" for test in tests[1:]]
+
+    def _test(self, argument):
+        domain = "rate" if argument.name in _RATES else argument.domain
+        idle = argument.unit == "rad" and not self.turned
+        return self.arithmetic.ordinary[domain + ", idle" * idle].format(f"{argument.name}_here")
+
+    def loads(self, arguments, mask):
+        """Lines that take arguments as numbers: 1 in lanes that are not served."""
+        taken = self.arithmetic.taken.format(f"gs_select({mask}, {{}}_here, one)")
+        used = [a for a in arguments if a.symbol in self.plan.loads]
+        lines = [f"const {self.arithmetic.number} {a.symbol} = {taken.format(a.name)};" for a in used]
+        turned = self.turned and any(a.name == "theta" for a in arguments)
+        return lines + ["const gs_v theta_used = gs_select(good, theta_here, one);"] * turned
+
+    def results(self, body):
+        """Lines that name the outputs."""
+        results = [self.arithmetic.value.format(body.text(node)) for node in self.plan.results]
+        if self.held:
+            rests = [_AT_REST[o.at_rest] for o in self.function.outputs]
+            results = [f"gs_select(held, {rest}, {r})" for rest, r in zip(rests, results, strict=True)]
+        return [f"gs_v {name}_here = {r};" for name, r in zip(self.outputs, results, strict=True)]
+
+    def handed_on(self):
+        """Lines that compute the lanes that are not served by the scaled form."""
+        arguments = []
+        for a in self.arguments:
+            lane = f"{a.name}_in" + "[j]" * (a in self.arrays)
+            arguments.append(self.arithmetic.widened.get(a.domain, "{}").format(lane))
+        call = f"{scaled_name(self.function, self.force_set)}({', '.join(arguments)}"
+        single = f"{self.outputs[0]}_each[j] = {call});"
+        several = f"{call}, {', '.join(f'{name}_each + j' for name in self.outputs)});"
+        return [
+            "if (!gs_all(good)) {",
+            f"    double {', '.join(f'{name}_each[GS_LANES]' for name in self.outputs)};",
+            *(f"    gs_v_store({name}_each, {name}_here);" for name in self.outputs),
+            "    for (size_t j = 0; j < here; j++)",
+            "        if (!(gs_bits_of(good) >> j & 1))",
+            f"            {single if len(self.outputs) == 1 else several}",
+            *(f"    {name}_here = gs_v_load({name}_each);" for name in self.outputs),
+            "}",
+        ]
+
+    def pads(self):
+        """Lines that take the last lanes, fewer than a vector, from copies."""
+        moves = [
+            f"{a.name}_in = {self.arithmetic.padded}(pad[{i}], {a.name}_in, here);" for i, a in enumerate(self.arrays)
+        ]
+        return ["if (here < GS_LANES) {", *(f"    {move}" for move in moves), "}"]
+
+    def stores(self):
+        """Lines that write the results, and go on."""
+        store, ends = self.arithmetic.store, []
+        for i, name in enumerate(self.outputs, len(self.arrays)):
+            ends.append(f"    {store}(pad[{i}], {name}_here);")
+            ends.append(f"    memcpy({name}_out, pad[{i}], here * sizeof *{name}_out);")
+        moved = [*(f"{a.name}_in" for a in self.arrays), *(f"{name}_out" for name in self.outputs)]
+        return [
+            "if (here < GS_LANES) {",
+            *ends,
+            "    return;",
+            "}",
+            *(f"{store}({name}_out, {name}_here);" for name in self.outputs),
+            f"count -= GS_LANES, {', '.join(f'{name} += GS_LANES' for name in moved)};",
+        ]
+
+
+def _indented(depth, lines):
+    return ["    " * depth + line for line in lines]
+
+
+def definition(function, force_set, shape, arithmetic):
+    """Return the C definition of a form, its name ending in GS_SUFFIX.
+
+    Parameters
+    ----------
+    function : galileo_sym.catalogue.Function
+    force_set : str
+        A key of ``function.variants``.
+    shape : str
+        ``ARRAYS`` or ``VALUES``.
+    arithmetic : Arithmetic
+        ``DOUBLE`` or ``SINGLE``.
+    """
+    form = _Form(function, force_set, shape, arithmetic)
+    body = _Body(arithmetic, {a.symbol for a in form.arrays if a.symbol in form.plan.loads} | {"theta_used"})
+    for name, node in form.plan.steps:
+        body.assign(name, ("angle", "theta_used") if node[0] == "angle" else node)
+    results = form.results(body)
+    known = ["known"] if form.values else []
+    lines = [
+        *form.head(),
+        "{",
+        f"    {arithmetic.kind} pad[{len(form.arrays) + len(form.outputs)}][GS_LANES];",
+        "    const gs_v one = gs_v_of(1.0);",
+        *_indented(1, [f"const gs_v {a.name}_here = gs_v_of({a.name}_in);" for a in form.values]),
+        *_indented(1, form.masks("known", [], form.values) if form.values else []),
+        *_indented(1, form.loads(form.values, "known")),
+        *body.once,
+        "    while (count > 0) {",
+        "        const size_t here = count < GS_LANES ? count : GS_LANES;",
+        *_indented(2, form.pads()),
+        *_indented(2, [f"const gs_v {a.name}_here = {arithmetic.load}({a.name}_in);" for a in form.arrays]),
+        *_indented(2, form.masks("good", known, form.arrays)),
+        *_indented(2, form.loads(form.arrays, "good")),
+        *_indented(2, ["gs_mask held;"] * form.held),
+        *body.each,
+        *_indented(2, results),
+        *_indented(2, form.handed_on()),
+        *_indented(2, form.stores()),
+        "    }",
+        "}",
+    ]
+    return "\n".join(lines) + "\n"
