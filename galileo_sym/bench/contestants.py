@@ -3,17 +3,15 @@
 import ctypes
 from functools import cache, partial
 from importlib import import_module
-from importlib.util import find_spec
 
 import numpy as np
 
+from galileo_sym import _backend
 from galileo_sym._stand_in import stand_in
 from galileo_sym.generated._functions import FUNCTIONS
 from galileo_sym.libraries import NoCompilerError, find_compiler, kept_library
 from galileo_sym.verify.back_ends import generated_folder
 from galileo_sym.verify.enclosure import nearest_float
-
-EXTENSION = "galileo_sym.generated._ufuncs"
 
 
 class Contestant:
@@ -186,7 +184,7 @@ class References(Contestant):
 
 def _compiled(tell):
     """The class that calls the emitted C on this machine, or None."""
-    if find_spec(EXTENSION) is not None:
+    if _backend.NAME == "c":
         return PublicFunctions
     try:
         _library()

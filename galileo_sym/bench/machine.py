@@ -7,6 +7,7 @@ import subprocess
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+from galileo_sym._config import configuration
 from galileo_sym.libraries import NoCompilerError, find_compiler
 
 _PACKAGES = ("numpy", "scipy", "sympy", "python-flint", "dask")
@@ -45,5 +46,6 @@ def stamp():
         "load": round(os.getloadavg()[0], 2) if hasattr(os, "getloadavg") else None,
         "python": platform.python_version(),
         "compiler": compiler(),
+        "vectors": configuration()["vectors"],
         **{name: text for name, text in found.items() if text},
     }

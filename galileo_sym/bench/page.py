@@ -7,8 +7,8 @@ from .core import ARRAYS, BASE
 _HEAD = """\
 # Run time against error
 
-Made by `make bench` on {date}; not written by hand. {machine}; load {load} at the start, Python {python}, {compiler};
-{versions}.
+Made by `make bench` on {date}; not written by hand. {machine}, vector code: {vectors}; load {load} at the start;
+Python {python}, {compiler}, {versions}.
 
 ![Time an element against the largest error](benchmark.svg)
 
@@ -33,7 +33,7 @@ def _markdown(headings, *lines):
 def page(document):
     """The page of a `Document`, as Markdown."""
     stamp = dict(document.stamp)
-    known = {name: stamp.pop(name) for name in ("date", "machine", "load", "python", "compiler")}
+    known = {name: stamp.pop(name) for name in ("date", "machine", "load", "python", "compiler", "vectors")}
     exp = sorted(row.ns.median for row in document.rows if (row.contestant, row.layout) == (BASE, ARRAYS))
     head = _HEAD.format(
         **known,

@@ -51,7 +51,7 @@ def _by_dask(contestant, case, arguments, count):
     def of_block(*parts):
         return contestant.results(case, dict(zip(case.arguments, parts, strict=True)))[0]
 
-    whole = da.map_blocks(of_block, *blocks, dtype=np.float32 if contestant.single else float)
+    whole = da.map_blocks(of_block, *blocks, dtype=float)
     return lambda: whole.compute(scheduler="threads", num_workers=THREADS)
 
 
