@@ -94,7 +94,9 @@ class Served:
         served = None if foreign else common_dtype(operands)
         wanted = asked_dtype(dtype) or served
         acting, kept = self._acting(operands, foreign)
-        options = {"casting": casting} | ({} if wanted is None else {"dtype": wanted})
+        options = {} if wanted is None else {"dtype": wanted}
+        if casting != "same_kind":  # other libraries do not take the word
+            options["casting"] = casting
         ufunc, *parts = self._ufuncs[acting]
         if where is not True:
             options["where"] = _mask(where)

@@ -4,18 +4,23 @@ from dataclasses import dataclass
 
 from galileo_sym.catalogue import FUNCTIONS, stable
 from galileo_sym.catalogue.special import SPECIAL
+from galileo_sym.codegen import lanes
 from galileo_sym.codegen.c99 import c_name
+from galileo_sym.codegen.forms import VALUES
 from galileo_sym.codegen.printing import sources_text
 from galileo_sym.codegen.ufunc_docs import form_doc, special_doc
 from galileo_sym.solvers import SOLVERS
 
+# least of either type, greatest
 _INTERVALS = {
-    "positive": ("DBL_TRUE_MIN", "INFINITY"),
-    "nonnegative": ("0.0", "INFINITY"),
-    "chord angle": ("-GS_HALF_PI", "GS_HALF_PI"),
-    "elevation": ("0.0", "GS_HALF_PI"),
-    "real": ("-INFINITY", "INFINITY"),
+    "positive": ("{DBL_TRUE_MIN, FLT_TRUE_MIN}", "INFINITY"),
+    "nonnegative": ("{0.0, 0.0}", "INFINITY"),
+    "chord angle": ("{-GS_HALF_PI, -GS_HALF_PI}", "GS_HALF_PI"),
+    "elevation": ("{0.0, 0.0}", "GS_HALF_PI"),
+    "real": ("{-INFINITY, -INFINITY}", "INFINITY"),
 }
+# type: how array functions, those with keyword arguments by value, and those of numbers end
+_ENDINGS = {"double": ("_n", "_nu", ""), "float": ("_nf", "_nuf", "f")}
 _HEAD = """#include "extension.h"
 
 #include <float.h>
@@ -25,10 +30,12 @@ _HEAD = """#include "extension.h"
 
 #ifndef DBL_TRUE_MIN
 #define DBL_TRUE_MIN 0x1p-1074
+#define FLT_TRUE_MIN 0x1p-149
 #endif
 #define GS_HALF_PI 0x1.921fb54442d18p+0
 #define GS_IN(type, i) ((const type *)in[i])
 #define GS_OUT(type, i) ((type *)out[i])
+#define GS_VALUE(type, i) (*(const type *)in[i])
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 """
@@ -36,11 +43,16 @@ _HEAD = """#include "extension.h"
 
 @dataclass(frozen=True)
 class Form:
-    """A function of C on arrays: its name there, arguments, outputs, and by output which arguments matter to it."""
+    """A function of C on arrays.
+
+    Its name there, arguments, how many of them are positional (None: no keyword arguments by value), outputs, and by
+    output which arguments matter to it.
+    """
 
     name: str
     called: str
     domains: tuple
+    positional: int | None
     outputs: tuple
     matters: tuple
     doc: str
@@ -61,6 +73,7 @@ def _form(function, force_set):
         name,
         c_name(function, force_set),
         tuple(a.domain if a.domain in _INTERVALS else "real" for a in function.arguments(force_set)),
+        len(function.positional) if lanes.in_lanes(function) and VALUES in lanes.shapes(function) else None,
         tuple(output.name for output in function.outputs),
         _matters(function, force_set),
         form_doc(function, force_set, sources_text(function, force_set)),
@@ -71,7 +84,7 @@ def _forms():
     made = {(f.full_name, s): _form(f, s) for f in FUNCTIONS.values() for s in f.variants}
     for name in SPECIAL:
         made[f"special.{name}", ""] = Form(
-            name, f"gs_special_{name}", ("real",), ("value",), ((True,),), special_doc(name)
+            name, f"gs_special_{name}", ("real",), None, ("value",), ((True,),), special_doc(name)
         )
     return made
 
@@ -83,24 +96,35 @@ def _ufuncs(form):
     return [(form.name, None), *((f"{form.name}_{output}", i) for i, output in enumerate(form.outputs))]
 
 
+def _arrays_call(form, part, kind, ending, positional):
+    """The adapter of an array function; arguments that are not positional go by value."""
+    passed = [f"GS_{'IN' if i < positional else 'VALUE'}({kind}, {i})" for i in range(len(form.domains))]
+    passed += [f"GS_OUT({kind}, {i})" for i in range(len(form.outputs))]
+    return (
+        f"static void {form.name}_{part}_{kind}(size_t n, const void *const *in, void *const *out)\n{{\n"
+        f"    {form.called}{ending}(n, {', '.join(passed)});\n}}\n"
+    )
+
+
+def _numbers_call(form, kind, ending):
+    """The adapter of a function of numbers."""
+    passed = [f"GS_X({kind}, {i})" for i in range(len(form.domains))]
+    single = len(form.outputs) == 1
+    passed += [] if single else [f"&GS_Y({kind}, {i})" for i in range(len(form.outputs))]
+    return (
+        f"static void {form.name}_numbers_{kind}(const void *in, void *out)\n{{\n"
+        f"    {f'GS_Y({kind}, 0) = ' if single else ''}{form.called}{ending}({', '.join(passed)});\n}}\n"
+    )
+
+
 def _calls(form):
-    """The adapters of a form: for arrays and for numbers, of both types."""
-    count, single = len(form.domains), len(form.outputs) == 1
+    """The adapters of a form: for arrays, with keyword arguments by value, for numbers; of both types."""
     out = []
-    for kind, arrays, number in (("double", "_n", ""), ("float", "_nf", "f")):
-        passed = [f"GS_IN({kind}, {i})" for i in range(count)]
-        passed += [f"GS_OUT({kind}, {i})" for i in range(len(form.outputs))]
-        out.append(
-            f"static void {form.name}_arrays_{kind}(size_t n, const void *const *in, void *const *out)\n{{\n"
-            f"    {form.called}{arrays}(n, {', '.join(passed)});\n}}\n"
-        )
-        values = [f"GS_X({kind}, {i})" for i in range(count)]
-        target = f"GS_Y({kind}, 0) = " if single else ""
-        values += [] if single else [f"&GS_Y({kind}, {i})" for i in range(len(form.outputs))]
-        out.append(
-            f"static void {form.name}_numbers_{kind}(const void *in, void *out)\n{{\n"
-            f"    {target}{form.called}{number}({', '.join(values)});\n}}\n"
-        )
+    for kind, (arrays, values, numbers) in _ENDINGS.items():
+        out.append(_arrays_call(form, "arrays", kind, arrays, len(form.domains)))
+        if form.positional is not None:
+            out.append(_arrays_call(form, "values", kind, values, form.positional))
+        out.append(_numbers_call(form, kind, numbers))
     return "".join(out)
 
 
@@ -112,10 +136,13 @@ def _form_table(form):
     """The definition of a form's row."""
     masks = ", ".join(f"0x{sum(1 << i for i, matters in enumerate(row) if matters):x}" for row in form.matters)
     domains = ", ".join(f"&{_interval_name(domain)}" for domain in form.domains)
-    pairs = {part: f"{{{form.name}_{part}_double, {form.name}_{part}_float}}" for part in ("arrays", "numbers")}
+    keywords = len(form.domains) if form.positional is None else form.positional
+    parts = ["arrays", "values" if form.positional is not None else None, "numbers"]
+    rows = [[f"{form.name}_{part}_{kind}" if part else "NULL" for kind in _ENDINGS] for part in parts]
+    pairs = "".join(f"    {{{', '.join(row)}}},\n" for row in rows)
     return (
-        f"static const gs_form {form.name}_form = {{\n    {len(form.domains)}, {len(form.outputs)}, {{{masks}}},\n"
-        f"    {{{domains}}},\n    {pairs['arrays']},\n    {pairs['numbers']},\n}};\n"
+        f"static const gs_form {form.name}_form = {{\n    {len(form.domains)}, {len(form.outputs)}, {keywords},\n"
+        f"    {{{masks}}},\n    {{{domains}}},\n{pairs}}};\n"
     )
 
 

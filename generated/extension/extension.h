@@ -29,15 +29,17 @@ typedef void gs_arrays(size_t n, const void *const *in, void *const *out);
 typedef void gs_numbers(const void *in, void *out);
 
 typedef struct {
-    double low, high;
+    double low[GS_KINDS], high;
 } gs_interval;
 
-/* A function with one set of forces. `matters` has, for each output, a bit for each argument that it depends on. */
+/* A function with one set of forces. `matters` has, for each output, a bit for each argument that it depends on; `values`
+ * take one value for each argument from `keywords` on, and are NULL where there is no such function. */
 typedef struct {
-    int inputs, outputs;
+    int inputs, outputs, keywords;
     unsigned matters[GS_MOST_OUTPUTS];
     const gs_interval *domain[GS_MOST_INPUTS];
     gs_arrays *arrays[GS_KINDS];
+    gs_arrays *values[GS_KINDS];
     gs_numbers *numbers[GS_KINDS];
 } gs_form;
 

@@ -2,8 +2,7 @@
 /* Inner loops: whatever the steps, the array functions of C see contiguous arguments. */
 #include "extension.h"
 
-#include <math.h>
-#include <string.h>
+#include <fenv.h>
 
 enum { GS_BLOCK = 512 };
 
@@ -30,6 +29,15 @@ static int gs_constant(const gs_form *form, int wanted, const npy_intp *steps)
     const unsigned matter = gs_matter(form, wanted);
     for (int i = 0; i < form->inputs; i++)
         if (matter >> i & 1 && steps[i] != 0)
+            return 0;
+    return 1;
+}
+
+/* None of the keyword arguments varies. */
+static int gs_uniform(const gs_form *form, const npy_intp *steps)
+{
+    for (int i = form->keywords; i < form->inputs; i++)
+        if (steps[i] != 0)
             return 0;
     return 1;
 }

@@ -8,24 +8,30 @@
 
 #ifndef DBL_TRUE_MIN
 #define DBL_TRUE_MIN 0x1p-1074
+#define FLT_TRUE_MIN 0x1p-149
 #endif
 #define GS_HALF_PI 0x1.921fb54442d18p+0
 #define GS_IN(type, i) ((const type *)in[i])
 #define GS_OUT(type, i) ((type *)out[i])
+#define GS_VALUE(type, i) (*(const type *)in[i])
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "6d126e9d5ed7c467da79c5ce57d28af5e2e941b68aff03ca14c74d66dd7285a6";
+const char gs_sources[] = "7cf10092818c45b08bb30346c671841ea79fb7264c6f6802f02119471c311d2a";
 
-static const gs_interval gs_positive = {DBL_TRUE_MIN, INFINITY};
-static const gs_interval gs_nonnegative = {0.0, INFINITY};
-static const gs_interval gs_chord_angle = {-GS_HALF_PI, GS_HALF_PI};
-static const gs_interval gs_elevation = {0.0, GS_HALF_PI};
-static const gs_interval gs_real = {-INFINITY, INFINITY};
+static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
+static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};
+static const gs_interval gs_chord_angle = {{-GS_HALF_PI, -GS_HALF_PI}, GS_HALF_PI};
+static const gs_interval gs_elevation = {{0.0, 0.0}, GS_HALF_PI};
+static const gs_interval gs_real = {{-INFINITY, -INFINITY}, INFINITY};
 
 static void chord_descent_time_free_arrays_double(size_t n, const void *const *in, void *const *out)
 {
     gs_chord_descent_time_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0));
+}
+static void chord_descent_time_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_descent_time_free_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0));
 }
 static void chord_descent_time_free_numbers_double(const void *in, void *out)
 {
@@ -35,14 +41,20 @@ static void chord_descent_time_free_arrays_float(size_t n, const void *const *in
 {
     gs_chord_descent_time_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0));
 }
+static void chord_descent_time_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_descent_time_free_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0));
+}
 static void chord_descent_time_free_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_descent_time_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2));
 }
 static const gs_form chord_descent_time_free_form = {
-    3, 1, {0x6},
+    3, 1, 1,
+    {0x6},
     {&gs_chord_angle, &gs_positive, &gs_positive},
     {chord_descent_time_free_arrays_double, chord_descent_time_free_arrays_float},
+    {chord_descent_time_free_values_double, chord_descent_time_free_values_float},
     {chord_descent_time_free_numbers_double, chord_descent_time_free_numbers_float},
 };
 static const char chord_descent_time_free_doc[] =
@@ -75,6 +87,10 @@ static void chord_descent_time_friction_arrays_double(size_t n, const void *cons
 {
     gs_chord_descent_time_friction_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void chord_descent_time_friction_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_descent_time_friction_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void chord_descent_time_friction_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_descent_time_friction(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -83,14 +99,20 @@ static void chord_descent_time_friction_arrays_float(size_t n, const void *const
 {
     gs_chord_descent_time_friction_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void chord_descent_time_friction_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_descent_time_friction_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void chord_descent_time_friction_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_descent_time_frictionf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form chord_descent_time_friction_form = {
-    4, 1, {0xf},
+    4, 1, 1,
+    {0xf},
     {&gs_chord_angle, &gs_positive, &gs_positive, &gs_nonnegative},
     {chord_descent_time_friction_arrays_double, chord_descent_time_friction_arrays_float},
+    {chord_descent_time_friction_values_double, chord_descent_time_friction_values_float},
     {chord_descent_time_friction_numbers_double, chord_descent_time_friction_numbers_float},
 };
 static const char chord_descent_time_friction_doc[] =
@@ -125,6 +147,10 @@ static void chord_descent_time_drag_arrays_double(size_t n, const void *const *i
 {
     gs_chord_descent_time_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void chord_descent_time_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_descent_time_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void chord_descent_time_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_descent_time_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -133,14 +159,20 @@ static void chord_descent_time_drag_arrays_float(size_t n, const void *const *in
 {
     gs_chord_descent_time_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void chord_descent_time_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_descent_time_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void chord_descent_time_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_descent_time_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form chord_descent_time_drag_form = {
-    4, 1, {0xe},
+    4, 1, 1,
+    {0xe},
     {&gs_chord_angle, &gs_positive, &gs_positive, &gs_nonnegative},
     {chord_descent_time_drag_arrays_double, chord_descent_time_drag_arrays_float},
+    {chord_descent_time_drag_values_double, chord_descent_time_drag_values_float},
     {chord_descent_time_drag_numbers_double, chord_descent_time_drag_numbers_float},
 };
 static const char chord_descent_time_drag_doc[] =
@@ -175,6 +207,10 @@ static void chord_descent_time_friction_drag_arrays_double(size_t n, const void 
 {
     gs_chord_descent_time_friction_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_IN(double, 4), GS_OUT(double, 0));
 }
+static void chord_descent_time_friction_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_descent_time_friction_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_VALUE(double, 4), GS_OUT(double, 0));
+}
 static void chord_descent_time_friction_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_descent_time_friction_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), GS_X(double, 4));
@@ -183,14 +219,20 @@ static void chord_descent_time_friction_drag_arrays_float(size_t n, const void *
 {
     gs_chord_descent_time_friction_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_IN(float, 4), GS_OUT(float, 0));
 }
+static void chord_descent_time_friction_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_descent_time_friction_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_VALUE(float, 4), GS_OUT(float, 0));
+}
 static void chord_descent_time_friction_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_descent_time_friction_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), GS_X(float, 4));
 }
 static const gs_form chord_descent_time_friction_drag_form = {
-    5, 1, {0x1f},
+    5, 1, 1,
+    {0x1f},
     {&gs_chord_angle, &gs_positive, &gs_positive, &gs_nonnegative, &gs_nonnegative},
     {chord_descent_time_friction_drag_arrays_double, chord_descent_time_friction_drag_arrays_float},
+    {chord_descent_time_friction_drag_values_double, chord_descent_time_friction_drag_values_float},
     {chord_descent_time_friction_drag_numbers_double, chord_descent_time_friction_drag_numbers_float},
 };
 static const char chord_descent_time_friction_drag_doc[] =
@@ -227,6 +269,10 @@ static void chord_distance_free_arrays_double(size_t n, const void *const *in, v
 {
     gs_chord_distance_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0));
 }
+static void chord_distance_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_distance_free_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0));
+}
 static void chord_distance_free_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_distance_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2));
@@ -235,14 +281,20 @@ static void chord_distance_free_arrays_float(size_t n, const void *const *in, vo
 {
     gs_chord_distance_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0));
 }
+static void chord_distance_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_distance_free_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0));
+}
 static void chord_distance_free_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_distance_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2));
 }
 static const gs_form chord_distance_free_form = {
-    3, 1, {0x7},
+    3, 1, 2,
+    {0x7},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive},
     {chord_distance_free_arrays_double, chord_distance_free_arrays_float},
+    {chord_distance_free_values_double, chord_distance_free_values_float},
     {chord_distance_free_numbers_double, chord_distance_free_numbers_float},
 };
 static const char chord_distance_free_doc[] =
@@ -275,6 +327,10 @@ static void chord_distance_friction_arrays_double(size_t n, const void *const *i
 {
     gs_chord_distance_friction_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void chord_distance_friction_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_distance_friction_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void chord_distance_friction_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_distance_friction(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -283,14 +339,20 @@ static void chord_distance_friction_arrays_float(size_t n, const void *const *in
 {
     gs_chord_distance_friction_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void chord_distance_friction_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_distance_friction_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void chord_distance_friction_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_distance_frictionf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form chord_distance_friction_form = {
-    4, 1, {0xf},
+    4, 1, 2,
+    {0xf},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative},
     {chord_distance_friction_arrays_double, chord_distance_friction_arrays_float},
+    {chord_distance_friction_values_double, chord_distance_friction_values_float},
     {chord_distance_friction_numbers_double, chord_distance_friction_numbers_float},
 };
 static const char chord_distance_friction_doc[] =
@@ -325,6 +387,10 @@ static void chord_distance_drag_arrays_double(size_t n, const void *const *in, v
 {
     gs_chord_distance_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void chord_distance_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_distance_drag_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void chord_distance_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_distance_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -333,14 +399,20 @@ static void chord_distance_drag_arrays_float(size_t n, const void *const *in, vo
 {
     gs_chord_distance_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void chord_distance_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_distance_drag_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void chord_distance_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_distance_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form chord_distance_drag_form = {
-    4, 1, {0xf},
+    4, 1, 2,
+    {0xf},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative},
     {chord_distance_drag_arrays_double, chord_distance_drag_arrays_float},
+    {chord_distance_drag_values_double, chord_distance_drag_values_float},
     {chord_distance_drag_numbers_double, chord_distance_drag_numbers_float},
 };
 static const char chord_distance_drag_doc[] =
@@ -375,6 +447,10 @@ static void chord_distance_friction_drag_arrays_double(size_t n, const void *con
 {
     gs_chord_distance_friction_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_IN(double, 4), GS_OUT(double, 0));
 }
+static void chord_distance_friction_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_distance_friction_drag_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_VALUE(double, 4), GS_OUT(double, 0));
+}
 static void chord_distance_friction_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_distance_friction_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), GS_X(double, 4));
@@ -383,14 +459,20 @@ static void chord_distance_friction_drag_arrays_float(size_t n, const void *cons
 {
     gs_chord_distance_friction_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_IN(float, 4), GS_OUT(float, 0));
 }
+static void chord_distance_friction_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_distance_friction_drag_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_VALUE(float, 4), GS_OUT(float, 0));
+}
 static void chord_distance_friction_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_distance_friction_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), GS_X(float, 4));
 }
 static const gs_form chord_distance_friction_drag_form = {
-    5, 1, {0x1f},
+    5, 1, 2,
+    {0x1f},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative, &gs_nonnegative},
     {chord_distance_friction_drag_arrays_double, chord_distance_friction_drag_arrays_float},
+    {chord_distance_friction_drag_values_double, chord_distance_friction_drag_values_float},
     {chord_distance_friction_drag_numbers_double, chord_distance_friction_drag_numbers_float},
 };
 static const char chord_distance_friction_drag_doc[] =
@@ -427,6 +509,10 @@ static void chord_speed_free_arrays_double(size_t n, const void *const *in, void
 {
     gs_chord_speed_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0));
 }
+static void chord_speed_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_speed_free_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0));
+}
 static void chord_speed_free_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_speed_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2));
@@ -435,14 +521,20 @@ static void chord_speed_free_arrays_float(size_t n, const void *const *in, void 
 {
     gs_chord_speed_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0));
 }
+static void chord_speed_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_speed_free_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0));
+}
 static void chord_speed_free_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_speed_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2));
 }
 static const gs_form chord_speed_free_form = {
-    3, 1, {0x7},
+    3, 1, 2,
+    {0x7},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive},
     {chord_speed_free_arrays_double, chord_speed_free_arrays_float},
+    {chord_speed_free_values_double, chord_speed_free_values_float},
     {chord_speed_free_numbers_double, chord_speed_free_numbers_float},
 };
 static const char chord_speed_free_doc[] =
@@ -475,6 +567,10 @@ static void chord_speed_friction_arrays_double(size_t n, const void *const *in, 
 {
     gs_chord_speed_friction_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void chord_speed_friction_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_speed_friction_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void chord_speed_friction_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_speed_friction(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -483,14 +579,20 @@ static void chord_speed_friction_arrays_float(size_t n, const void *const *in, v
 {
     gs_chord_speed_friction_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void chord_speed_friction_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_speed_friction_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void chord_speed_friction_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_speed_frictionf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form chord_speed_friction_form = {
-    4, 1, {0xf},
+    4, 1, 2,
+    {0xf},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative},
     {chord_speed_friction_arrays_double, chord_speed_friction_arrays_float},
+    {chord_speed_friction_values_double, chord_speed_friction_values_float},
     {chord_speed_friction_numbers_double, chord_speed_friction_numbers_float},
 };
 static const char chord_speed_friction_doc[] =
@@ -525,6 +627,10 @@ static void chord_speed_drag_arrays_double(size_t n, const void *const *in, void
 {
     gs_chord_speed_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void chord_speed_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_speed_drag_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void chord_speed_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_speed_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -533,14 +639,20 @@ static void chord_speed_drag_arrays_float(size_t n, const void *const *in, void 
 {
     gs_chord_speed_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void chord_speed_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_speed_drag_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void chord_speed_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_speed_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form chord_speed_drag_form = {
-    4, 1, {0xf},
+    4, 1, 2,
+    {0xf},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative},
     {chord_speed_drag_arrays_double, chord_speed_drag_arrays_float},
+    {chord_speed_drag_values_double, chord_speed_drag_values_float},
     {chord_speed_drag_numbers_double, chord_speed_drag_numbers_float},
 };
 static const char chord_speed_drag_doc[] =
@@ -575,6 +687,10 @@ static void chord_speed_friction_drag_arrays_double(size_t n, const void *const 
 {
     gs_chord_speed_friction_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_IN(double, 4), GS_OUT(double, 0));
 }
+static void chord_speed_friction_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_speed_friction_drag_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_VALUE(double, 4), GS_OUT(double, 0));
+}
 static void chord_speed_friction_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_chord_speed_friction_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), GS_X(double, 4));
@@ -583,14 +699,20 @@ static void chord_speed_friction_drag_arrays_float(size_t n, const void *const *
 {
     gs_chord_speed_friction_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_IN(float, 4), GS_OUT(float, 0));
 }
+static void chord_speed_friction_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_speed_friction_drag_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_VALUE(float, 4), GS_OUT(float, 0));
+}
 static void chord_speed_friction_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_chord_speed_friction_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), GS_X(float, 4));
 }
 static const gs_form chord_speed_friction_drag_form = {
-    5, 1, {0x1f},
+    5, 1, 2,
+    {0x1f},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative, &gs_nonnegative},
     {chord_speed_friction_drag_arrays_double, chord_speed_friction_drag_arrays_float},
+    {chord_speed_friction_drag_values_double, chord_speed_friction_drag_values_float},
     {chord_speed_friction_drag_numbers_double, chord_speed_friction_drag_numbers_float},
 };
 static const char chord_speed_friction_drag_doc[] =
@@ -627,6 +749,10 @@ static void chord_position_free_arrays_double(size_t n, const void *const *in, v
 {
     gs_chord_position_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void chord_position_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_position_free_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void chord_position_free_numbers_double(const void *in, void *out)
 {
     gs_chord_position_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -635,14 +761,20 @@ static void chord_position_free_arrays_float(size_t n, const void *const *in, vo
 {
     gs_chord_position_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void chord_position_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_position_free_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void chord_position_free_numbers_float(const void *in, void *out)
 {
     gs_chord_position_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form chord_position_free_form = {
-    3, 2, {0x7, 0x7},
+    3, 2, 2,
+    {0x7, 0x7},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive},
     {chord_position_free_arrays_double, chord_position_free_arrays_float},
+    {chord_position_free_values_double, chord_position_free_values_float},
     {chord_position_free_numbers_double, chord_position_free_numbers_float},
 };
 static const char chord_position_free_doc[] =
@@ -677,6 +809,10 @@ static void chord_position_friction_arrays_double(size_t n, const void *const *i
 {
     gs_chord_position_friction_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void chord_position_friction_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_position_friction_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void chord_position_friction_numbers_double(const void *in, void *out)
 {
     gs_chord_position_friction(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -685,14 +821,20 @@ static void chord_position_friction_arrays_float(size_t n, const void *const *in
 {
     gs_chord_position_friction_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void chord_position_friction_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_position_friction_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void chord_position_friction_numbers_float(const void *in, void *out)
 {
     gs_chord_position_frictionf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form chord_position_friction_form = {
-    4, 2, {0xf, 0xf},
+    4, 2, 2,
+    {0xf, 0xf},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative},
     {chord_position_friction_arrays_double, chord_position_friction_arrays_float},
+    {chord_position_friction_values_double, chord_position_friction_values_float},
     {chord_position_friction_numbers_double, chord_position_friction_numbers_float},
 };
 static const char chord_position_friction_doc[] =
@@ -729,6 +871,10 @@ static void chord_position_drag_arrays_double(size_t n, const void *const *in, v
 {
     gs_chord_position_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void chord_position_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_position_drag_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void chord_position_drag_numbers_double(const void *in, void *out)
 {
     gs_chord_position_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -737,14 +883,20 @@ static void chord_position_drag_arrays_float(size_t n, const void *const *in, vo
 {
     gs_chord_position_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void chord_position_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_position_drag_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void chord_position_drag_numbers_float(const void *in, void *out)
 {
     gs_chord_position_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form chord_position_drag_form = {
-    4, 2, {0xf, 0xf},
+    4, 2, 2,
+    {0xf, 0xf},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative},
     {chord_position_drag_arrays_double, chord_position_drag_arrays_float},
+    {chord_position_drag_values_double, chord_position_drag_values_float},
     {chord_position_drag_numbers_double, chord_position_drag_numbers_float},
 };
 static const char chord_position_drag_doc[] =
@@ -781,6 +933,10 @@ static void chord_position_friction_drag_arrays_double(size_t n, const void *con
 {
     gs_chord_position_friction_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_IN(double, 4), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void chord_position_friction_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_position_friction_drag_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_VALUE(double, 4), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void chord_position_friction_drag_numbers_double(const void *in, void *out)
 {
     gs_chord_position_friction_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), GS_X(double, 4), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -789,14 +945,20 @@ static void chord_position_friction_drag_arrays_float(size_t n, const void *cons
 {
     gs_chord_position_friction_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_IN(float, 4), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void chord_position_friction_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_position_friction_drag_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_VALUE(float, 4), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void chord_position_friction_drag_numbers_float(const void *in, void *out)
 {
     gs_chord_position_friction_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), GS_X(float, 4), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form chord_position_friction_drag_form = {
-    5, 2, {0x1f, 0x1f},
+    5, 2, 2,
+    {0x1f, 0x1f},
     {&gs_nonnegative, &gs_chord_angle, &gs_positive, &gs_nonnegative, &gs_nonnegative},
     {chord_position_friction_drag_arrays_double, chord_position_friction_drag_arrays_float},
+    {chord_position_friction_drag_values_double, chord_position_friction_drag_values_float},
     {chord_position_friction_drag_numbers_double, chord_position_friction_drag_numbers_float},
 };
 static const char chord_position_friction_drag_doc[] =
@@ -835,6 +997,10 @@ static void chord_synchronous_circle_free_arrays_double(size_t n, const void *co
 {
     gs_chord_synchronous_circle_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_OUT(double, 0), GS_OUT(double, 1), GS_OUT(double, 2));
 }
+static void chord_synchronous_circle_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_synchronous_circle_free_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_OUT(double, 0), GS_OUT(double, 1), GS_OUT(double, 2));
+}
 static void chord_synchronous_circle_free_numbers_double(const void *in, void *out)
 {
     gs_chord_synchronous_circle_free(GS_X(double, 0), GS_X(double, 1), &GS_Y(double, 0), &GS_Y(double, 1), &GS_Y(double, 2));
@@ -843,14 +1009,20 @@ static void chord_synchronous_circle_free_arrays_float(size_t n, const void *con
 {
     gs_chord_synchronous_circle_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_OUT(float, 0), GS_OUT(float, 1), GS_OUT(float, 2));
 }
+static void chord_synchronous_circle_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_synchronous_circle_free_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_OUT(float, 0), GS_OUT(float, 1), GS_OUT(float, 2));
+}
 static void chord_synchronous_circle_free_numbers_float(const void *in, void *out)
 {
     gs_chord_synchronous_circle_freef(GS_X(float, 0), GS_X(float, 1), &GS_Y(float, 0), &GS_Y(float, 1), &GS_Y(float, 2));
 }
 static const gs_form chord_synchronous_circle_free_form = {
-    2, 3, {0x0, 0x3, 0x3},
+    2, 3, 1,
+    {0x0, 0x3, 0x3},
     {&gs_nonnegative, &gs_positive},
     {chord_synchronous_circle_free_arrays_double, chord_synchronous_circle_free_arrays_float},
+    {chord_synchronous_circle_free_values_double, chord_synchronous_circle_free_values_float},
     {chord_synchronous_circle_free_numbers_double, chord_synchronous_circle_free_numbers_float},
 };
 static const char chord_synchronous_circle_free_doc[] =
@@ -885,6 +1057,10 @@ static void chord_synchronous_circle_friction_arrays_double(size_t n, const void
 {
     gs_chord_synchronous_circle_friction_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0), GS_OUT(double, 1), GS_OUT(double, 2));
 }
+static void chord_synchronous_circle_friction_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_synchronous_circle_friction_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0), GS_OUT(double, 1), GS_OUT(double, 2));
+}
 static void chord_synchronous_circle_friction_numbers_double(const void *in, void *out)
 {
     gs_chord_synchronous_circle_friction(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), &GS_Y(double, 0), &GS_Y(double, 1), &GS_Y(double, 2));
@@ -893,14 +1069,20 @@ static void chord_synchronous_circle_friction_arrays_float(size_t n, const void 
 {
     gs_chord_synchronous_circle_friction_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0), GS_OUT(float, 1), GS_OUT(float, 2));
 }
+static void chord_synchronous_circle_friction_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_synchronous_circle_friction_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0), GS_OUT(float, 1), GS_OUT(float, 2));
+}
 static void chord_synchronous_circle_friction_numbers_float(const void *in, void *out)
 {
     gs_chord_synchronous_circle_frictionf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), &GS_Y(float, 0), &GS_Y(float, 1), &GS_Y(float, 2));
 }
 static const gs_form chord_synchronous_circle_friction_form = {
-    3, 3, {0x7, 0x3, 0x7},
+    3, 3, 1,
+    {0x7, 0x3, 0x7},
     {&gs_nonnegative, &gs_positive, &gs_nonnegative},
     {chord_synchronous_circle_friction_arrays_double, chord_synchronous_circle_friction_arrays_float},
+    {chord_synchronous_circle_friction_values_double, chord_synchronous_circle_friction_values_float},
     {chord_synchronous_circle_friction_numbers_double, chord_synchronous_circle_friction_numbers_float},
 };
 static const char chord_synchronous_circle_friction_doc[] =
@@ -937,6 +1119,10 @@ static void chord_synchronous_circle_drag_arrays_double(size_t n, const void *co
 {
     gs_chord_synchronous_circle_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0), GS_OUT(double, 1), GS_OUT(double, 2));
 }
+static void chord_synchronous_circle_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_synchronous_circle_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0), GS_OUT(double, 1), GS_OUT(double, 2));
+}
 static void chord_synchronous_circle_drag_numbers_double(const void *in, void *out)
 {
     gs_chord_synchronous_circle_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), &GS_Y(double, 0), &GS_Y(double, 1), &GS_Y(double, 2));
@@ -945,14 +1131,20 @@ static void chord_synchronous_circle_drag_arrays_float(size_t n, const void *con
 {
     gs_chord_synchronous_circle_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0), GS_OUT(float, 1), GS_OUT(float, 2));
 }
+static void chord_synchronous_circle_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_synchronous_circle_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0), GS_OUT(float, 1), GS_OUT(float, 2));
+}
 static void chord_synchronous_circle_drag_numbers_float(const void *in, void *out)
 {
     gs_chord_synchronous_circle_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), &GS_Y(float, 0), &GS_Y(float, 1), &GS_Y(float, 2));
 }
 static const gs_form chord_synchronous_circle_drag_form = {
-    3, 3, {0x0, 0x7, 0x7},
+    3, 3, 1,
+    {0x0, 0x7, 0x7},
     {&gs_nonnegative, &gs_positive, &gs_nonnegative},
     {chord_synchronous_circle_drag_arrays_double, chord_synchronous_circle_drag_arrays_float},
+    {chord_synchronous_circle_drag_values_double, chord_synchronous_circle_drag_values_float},
     {chord_synchronous_circle_drag_numbers_double, chord_synchronous_circle_drag_numbers_float},
 };
 static const char chord_synchronous_circle_drag_doc[] =
@@ -989,6 +1181,10 @@ static void chord_synchronous_circle_friction_drag_arrays_double(size_t n, const
 {
     gs_chord_synchronous_circle_friction_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0), GS_OUT(double, 1), GS_OUT(double, 2));
 }
+static void chord_synchronous_circle_friction_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_synchronous_circle_friction_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0), GS_OUT(double, 1), GS_OUT(double, 2));
+}
 static void chord_synchronous_circle_friction_drag_numbers_double(const void *in, void *out)
 {
     gs_chord_synchronous_circle_friction_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), &GS_Y(double, 0), &GS_Y(double, 1), &GS_Y(double, 2));
@@ -997,14 +1193,20 @@ static void chord_synchronous_circle_friction_drag_arrays_float(size_t n, const 
 {
     gs_chord_synchronous_circle_friction_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0), GS_OUT(float, 1), GS_OUT(float, 2));
 }
+static void chord_synchronous_circle_friction_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_chord_synchronous_circle_friction_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0), GS_OUT(float, 1), GS_OUT(float, 2));
+}
 static void chord_synchronous_circle_friction_drag_numbers_float(const void *in, void *out)
 {
     gs_chord_synchronous_circle_friction_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), &GS_Y(float, 0), &GS_Y(float, 1), &GS_Y(float, 2));
 }
 static const gs_form chord_synchronous_circle_friction_drag_form = {
-    4, 3, {0xf, 0xb, 0xf},
+    4, 3, 1,
+    {0xf, 0xb, 0xf},
     {&gs_nonnegative, &gs_positive, &gs_nonnegative, &gs_nonnegative},
     {chord_synchronous_circle_friction_drag_arrays_double, chord_synchronous_circle_friction_drag_arrays_float},
+    {chord_synchronous_circle_friction_drag_values_double, chord_synchronous_circle_friction_drag_values_float},
     {chord_synchronous_circle_friction_drag_numbers_double, chord_synchronous_circle_friction_drag_numbers_float},
 };
 static const char chord_synchronous_circle_friction_drag_doc[] =
@@ -1056,9 +1258,11 @@ static void chord_max_angle_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_chord_max_anglef(GS_X(float, 0));
 }
 static const gs_form chord_max_angle_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_nonnegative},
     {chord_max_angle_arrays_double, chord_max_angle_arrays_float},
+    {NULL, NULL},
     {chord_max_angle_numbers_double, chord_max_angle_numbers_float},
 };
 static const char chord_max_angle_doc[] =
@@ -1087,6 +1291,10 @@ static void projectile_flight_time_free_arrays_double(size_t n, const void *cons
 {
     gs_projectile_flight_time_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0));
 }
+static void projectile_flight_time_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_flight_time_free_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0));
+}
 static void projectile_flight_time_free_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_projectile_flight_time_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2));
@@ -1095,14 +1303,20 @@ static void projectile_flight_time_free_arrays_float(size_t n, const void *const
 {
     gs_projectile_flight_time_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0));
 }
+static void projectile_flight_time_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_flight_time_free_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0));
+}
 static void projectile_flight_time_free_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_projectile_flight_time_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2));
 }
 static const gs_form projectile_flight_time_free_form = {
-    3, 1, {0x7},
+    3, 1, 1,
+    {0x7},
     {&gs_elevation, &gs_positive, &gs_positive},
     {projectile_flight_time_free_arrays_double, projectile_flight_time_free_arrays_float},
+    {projectile_flight_time_free_values_double, projectile_flight_time_free_values_float},
     {projectile_flight_time_free_numbers_double, projectile_flight_time_free_numbers_float},
 };
 static const char projectile_flight_time_free_doc[] =
@@ -1135,6 +1349,10 @@ static void projectile_flight_time_drag_arrays_double(size_t n, const void *cons
 {
     gs_projectile_flight_time_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void projectile_flight_time_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_flight_time_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void projectile_flight_time_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_projectile_flight_time_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -1143,14 +1361,20 @@ static void projectile_flight_time_drag_arrays_float(size_t n, const void *const
 {
     gs_projectile_flight_time_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void projectile_flight_time_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_flight_time_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void projectile_flight_time_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_projectile_flight_time_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form projectile_flight_time_drag_form = {
-    4, 1, {0xf},
+    4, 1, 1,
+    {0xf},
     {&gs_elevation, &gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_flight_time_drag_arrays_double, projectile_flight_time_drag_arrays_float},
+    {projectile_flight_time_drag_values_double, projectile_flight_time_drag_values_float},
     {projectile_flight_time_drag_numbers_double, projectile_flight_time_drag_numbers_float},
 };
 static const char projectile_flight_time_drag_doc[] =
@@ -1185,6 +1409,10 @@ static void projectile_horizontal_range_free_arrays_double(size_t n, const void 
 {
     gs_projectile_horizontal_range_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0));
 }
+static void projectile_horizontal_range_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_horizontal_range_free_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0));
+}
 static void projectile_horizontal_range_free_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_projectile_horizontal_range_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2));
@@ -1193,14 +1421,20 @@ static void projectile_horizontal_range_free_arrays_float(size_t n, const void *
 {
     gs_projectile_horizontal_range_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0));
 }
+static void projectile_horizontal_range_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_horizontal_range_free_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0));
+}
 static void projectile_horizontal_range_free_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_projectile_horizontal_range_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2));
 }
 static const gs_form projectile_horizontal_range_free_form = {
-    3, 1, {0x7},
+    3, 1, 1,
+    {0x7},
     {&gs_elevation, &gs_positive, &gs_positive},
     {projectile_horizontal_range_free_arrays_double, projectile_horizontal_range_free_arrays_float},
+    {projectile_horizontal_range_free_values_double, projectile_horizontal_range_free_values_float},
     {projectile_horizontal_range_free_numbers_double, projectile_horizontal_range_free_numbers_float},
 };
 static const char projectile_horizontal_range_free_doc[] =
@@ -1233,6 +1467,10 @@ static void projectile_horizontal_range_drag_arrays_double(size_t n, const void 
 {
     gs_projectile_horizontal_range_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void projectile_horizontal_range_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_horizontal_range_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void projectile_horizontal_range_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_projectile_horizontal_range_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -1241,14 +1479,20 @@ static void projectile_horizontal_range_drag_arrays_float(size_t n, const void *
 {
     gs_projectile_horizontal_range_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void projectile_horizontal_range_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_horizontal_range_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void projectile_horizontal_range_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_projectile_horizontal_range_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form projectile_horizontal_range_drag_form = {
-    4, 1, {0xf},
+    4, 1, 1,
+    {0xf},
     {&gs_elevation, &gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_horizontal_range_drag_arrays_double, projectile_horizontal_range_drag_arrays_float},
+    {projectile_horizontal_range_drag_values_double, projectile_horizontal_range_drag_values_float},
     {projectile_horizontal_range_drag_numbers_double, projectile_horizontal_range_drag_numbers_float},
 };
 static const char projectile_horizontal_range_drag_doc[] =
@@ -1283,6 +1527,10 @@ static void projectile_position_free_arrays_double(size_t n, const void *const *
 {
     gs_projectile_position_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void projectile_position_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_position_free_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void projectile_position_free_numbers_double(const void *in, void *out)
 {
     gs_projectile_position_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -1291,14 +1539,20 @@ static void projectile_position_free_arrays_float(size_t n, const void *const *i
 {
     gs_projectile_position_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void projectile_position_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_position_free_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void projectile_position_free_numbers_float(const void *in, void *out)
 {
     gs_projectile_position_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form projectile_position_free_form = {
-    4, 2, {0x7, 0xf},
+    4, 2, 2,
+    {0x7, 0xf},
     {&gs_nonnegative, &gs_elevation, &gs_positive, &gs_positive},
     {projectile_position_free_arrays_double, projectile_position_free_arrays_float},
+    {projectile_position_free_values_double, projectile_position_free_values_float},
     {projectile_position_free_numbers_double, projectile_position_free_numbers_float},
 };
 static const char projectile_position_free_doc[] =
@@ -1337,6 +1591,10 @@ static void projectile_position_drag_arrays_double(size_t n, const void *const *
 {
     gs_projectile_position_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_IN(double, 4), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void projectile_position_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_position_drag_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_VALUE(double, 4), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void projectile_position_drag_numbers_double(const void *in, void *out)
 {
     gs_projectile_position_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), GS_X(double, 4), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -1345,14 +1603,20 @@ static void projectile_position_drag_arrays_float(size_t n, const void *const *i
 {
     gs_projectile_position_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_IN(float, 4), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void projectile_position_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_position_drag_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_VALUE(float, 4), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void projectile_position_drag_numbers_float(const void *in, void *out)
 {
     gs_projectile_position_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), GS_X(float, 4), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form projectile_position_drag_form = {
-    5, 2, {0x17, 0x1f},
+    5, 2, 2,
+    {0x17, 0x1f},
     {&gs_nonnegative, &gs_elevation, &gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_position_drag_arrays_double, projectile_position_drag_arrays_float},
+    {projectile_position_drag_values_double, projectile_position_drag_values_float},
     {projectile_position_drag_numbers_double, projectile_position_drag_numbers_float},
 };
 static const char projectile_position_drag_doc[] =
@@ -1393,6 +1657,10 @@ static void projectile_velocity_free_arrays_double(size_t n, const void *const *
 {
     gs_projectile_velocity_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void projectile_velocity_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_velocity_free_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void projectile_velocity_free_numbers_double(const void *in, void *out)
 {
     gs_projectile_velocity_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -1401,14 +1669,20 @@ static void projectile_velocity_free_arrays_float(size_t n, const void *const *i
 {
     gs_projectile_velocity_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void projectile_velocity_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_velocity_free_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void projectile_velocity_free_numbers_float(const void *in, void *out)
 {
     gs_projectile_velocity_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form projectile_velocity_free_form = {
-    4, 2, {0x6, 0xf},
+    4, 2, 2,
+    {0x6, 0xf},
     {&gs_nonnegative, &gs_elevation, &gs_positive, &gs_positive},
     {projectile_velocity_free_arrays_double, projectile_velocity_free_arrays_float},
+    {projectile_velocity_free_values_double, projectile_velocity_free_values_float},
     {projectile_velocity_free_numbers_double, projectile_velocity_free_numbers_float},
 };
 static const char projectile_velocity_free_doc[] =
@@ -1447,6 +1721,10 @@ static void projectile_velocity_drag_arrays_double(size_t n, const void *const *
 {
     gs_projectile_velocity_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_IN(double, 4), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void projectile_velocity_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_velocity_drag_nu(n, GS_IN(double, 0), GS_IN(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_VALUE(double, 4), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void projectile_velocity_drag_numbers_double(const void *in, void *out)
 {
     gs_projectile_velocity_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), GS_X(double, 4), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -1455,14 +1733,20 @@ static void projectile_velocity_drag_arrays_float(size_t n, const void *const *i
 {
     gs_projectile_velocity_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_IN(float, 4), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void projectile_velocity_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_velocity_drag_nuf(n, GS_IN(float, 0), GS_IN(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_VALUE(float, 4), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void projectile_velocity_drag_numbers_float(const void *in, void *out)
 {
     gs_projectile_velocity_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), GS_X(float, 4), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form projectile_velocity_drag_form = {
-    5, 2, {0x17, 0x1f},
+    5, 2, 2,
+    {0x17, 0x1f},
     {&gs_nonnegative, &gs_elevation, &gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_velocity_drag_arrays_double, projectile_velocity_drag_arrays_float},
+    {projectile_velocity_drag_values_double, projectile_velocity_drag_values_float},
     {projectile_velocity_drag_numbers_double, projectile_velocity_drag_numbers_float},
 };
 static const char projectile_velocity_drag_doc[] =
@@ -1503,6 +1787,10 @@ static void projectile_range_slope_theta_free_arrays_double(size_t n, const void
 {
     gs_projectile_range_slope_theta_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0));
 }
+static void projectile_range_slope_theta_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_range_slope_theta_free_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0));
+}
 static void projectile_range_slope_theta_free_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_projectile_range_slope_theta_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2));
@@ -1511,14 +1799,20 @@ static void projectile_range_slope_theta_free_arrays_float(size_t n, const void 
 {
     gs_projectile_range_slope_theta_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0));
 }
+static void projectile_range_slope_theta_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_range_slope_theta_free_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0));
+}
 static void projectile_range_slope_theta_free_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_projectile_range_slope_theta_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2));
 }
 static const gs_form projectile_range_slope_theta_free_form = {
-    3, 1, {0x7},
+    3, 1, 1,
+    {0x7},
     {&gs_elevation, &gs_positive, &gs_positive},
     {projectile_range_slope_theta_free_arrays_double, projectile_range_slope_theta_free_arrays_float},
+    {projectile_range_slope_theta_free_values_double, projectile_range_slope_theta_free_values_float},
     {projectile_range_slope_theta_free_numbers_double, projectile_range_slope_theta_free_numbers_float},
 };
 static const char projectile_range_slope_theta_free_doc[] =
@@ -1551,6 +1845,10 @@ static void projectile_range_slope_theta_drag_arrays_double(size_t n, const void
 {
     gs_projectile_range_slope_theta_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void projectile_range_slope_theta_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_range_slope_theta_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void projectile_range_slope_theta_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_projectile_range_slope_theta_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -1559,14 +1857,20 @@ static void projectile_range_slope_theta_drag_arrays_float(size_t n, const void 
 {
     gs_projectile_range_slope_theta_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void projectile_range_slope_theta_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_range_slope_theta_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void projectile_range_slope_theta_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_projectile_range_slope_theta_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form projectile_range_slope_theta_drag_form = {
-    4, 1, {0xf},
+    4, 1, 1,
+    {0xf},
     {&gs_elevation, &gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_range_slope_theta_drag_arrays_double, projectile_range_slope_theta_drag_arrays_float},
+    {projectile_range_slope_theta_drag_values_double, projectile_range_slope_theta_drag_values_float},
     {projectile_range_slope_theta_drag_numbers_double, projectile_range_slope_theta_drag_numbers_float},
 };
 static const char projectile_range_slope_theta_drag_doc[] =
@@ -1601,6 +1905,10 @@ static void projectile_range_slope_k_free_arrays_double(size_t n, const void *co
 {
     gs_projectile_range_slope_k_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0));
 }
+static void projectile_range_slope_k_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_range_slope_k_free_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0));
+}
 static void projectile_range_slope_k_free_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_projectile_range_slope_k_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2));
@@ -1609,14 +1917,20 @@ static void projectile_range_slope_k_free_arrays_float(size_t n, const void *con
 {
     gs_projectile_range_slope_k_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0));
 }
+static void projectile_range_slope_k_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_range_slope_k_free_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0));
+}
 static void projectile_range_slope_k_free_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_projectile_range_slope_k_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2));
 }
 static const gs_form projectile_range_slope_k_free_form = {
-    3, 1, {0x7},
+    3, 1, 1,
+    {0x7},
     {&gs_elevation, &gs_positive, &gs_positive},
     {projectile_range_slope_k_free_arrays_double, projectile_range_slope_k_free_arrays_float},
+    {projectile_range_slope_k_free_values_double, projectile_range_slope_k_free_values_float},
     {projectile_range_slope_k_free_numbers_double, projectile_range_slope_k_free_numbers_float},
 };
 static const char projectile_range_slope_k_free_doc[] =
@@ -1649,6 +1963,10 @@ static void projectile_range_slope_k_drag_arrays_double(size_t n, const void *co
 {
     gs_projectile_range_slope_k_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0));
 }
+static void projectile_range_slope_k_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_range_slope_k_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0));
+}
 static void projectile_range_slope_k_drag_numbers_double(const void *in, void *out)
 {
     GS_Y(double, 0) = gs_projectile_range_slope_k_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3));
@@ -1657,14 +1975,20 @@ static void projectile_range_slope_k_drag_arrays_float(size_t n, const void *con
 {
     gs_projectile_range_slope_k_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0));
 }
+static void projectile_range_slope_k_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_range_slope_k_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0));
+}
 static void projectile_range_slope_k_drag_numbers_float(const void *in, void *out)
 {
     GS_Y(float, 0) = gs_projectile_range_slope_k_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3));
 }
 static const gs_form projectile_range_slope_k_drag_form = {
-    4, 1, {0xf},
+    4, 1, 1,
+    {0xf},
     {&gs_elevation, &gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_range_slope_k_drag_arrays_double, projectile_range_slope_k_drag_arrays_float},
+    {projectile_range_slope_k_drag_values_double, projectile_range_slope_k_drag_values_float},
     {projectile_range_slope_k_drag_numbers_double, projectile_range_slope_k_drag_numbers_float},
 };
 static const char projectile_range_slope_k_drag_doc[] =
@@ -1712,9 +2036,11 @@ static void projectile_max_range_free_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_projectile_max_range_freef(GS_X(float, 0), GS_X(float, 1));
 }
 static const gs_form projectile_max_range_free_form = {
-    2, 1, {0x3},
+    2, 1, 2,
+    {0x3},
     {&gs_positive, &gs_positive},
     {projectile_max_range_free_arrays_double, projectile_max_range_free_arrays_float},
+    {NULL, NULL},
     {projectile_max_range_free_numbers_double, projectile_max_range_free_numbers_float},
 };
 static const char projectile_max_range_free_doc[] =
@@ -1758,9 +2084,11 @@ static void projectile_max_range_drag_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_projectile_max_range_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2));
 }
 static const gs_form projectile_max_range_drag_form = {
-    3, 1, {0x7},
+    3, 1, 3,
+    {0x7},
     {&gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_max_range_drag_arrays_double, projectile_max_range_drag_arrays_float},
+    {NULL, NULL},
     {projectile_max_range_drag_numbers_double, projectile_max_range_drag_numbers_float},
 };
 static const char projectile_max_range_drag_doc[] =
@@ -1806,9 +2134,11 @@ static void projectile_launch_angles_free_numbers_float(const void *in, void *ou
     gs_projectile_launch_angles_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form projectile_launch_angles_free_form = {
-    3, 2, {0x7, 0x7},
+    3, 2, 3,
+    {0x7, 0x7},
     {&gs_nonnegative, &gs_positive, &gs_positive},
     {projectile_launch_angles_free_arrays_double, projectile_launch_angles_free_arrays_float},
+    {NULL, NULL},
     {projectile_launch_angles_free_numbers_double, projectile_launch_angles_free_numbers_float},
 };
 static const char projectile_launch_angles_free_doc[] =
@@ -1856,9 +2186,11 @@ static void projectile_launch_angles_drag_numbers_float(const void *in, void *ou
     gs_projectile_launch_angles_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form projectile_launch_angles_drag_form = {
-    4, 2, {0xf, 0xf},
+    4, 2, 4,
+    {0xf, 0xf},
     {&gs_nonnegative, &gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_launch_angles_drag_arrays_double, projectile_launch_angles_drag_arrays_float},
+    {NULL, NULL},
     {projectile_launch_angles_drag_numbers_double, projectile_launch_angles_drag_numbers_float},
 };
 static const char projectile_launch_angles_drag_doc[] =
@@ -1908,9 +2240,11 @@ static void projectile_best_angle_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_projectile_best_anglef(GS_X(float, 0));
 }
 static const gs_form projectile_best_angle_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_nonnegative},
     {projectile_best_angle_arrays_double, projectile_best_angle_arrays_float},
+    {NULL, NULL},
     {projectile_best_angle_numbers_double, projectile_best_angle_numbers_float},
 };
 static const char projectile_best_angle_doc[] =
@@ -1952,9 +2286,11 @@ static void lambert_w0_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_lambert_w0f(GS_X(float, 0));
 }
 static const gs_form lambert_w0_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {lambert_w0_arrays_double, lambert_w0_arrays_float},
+    {NULL, NULL},
     {lambert_w0_numbers_double, lambert_w0_numbers_float},
 };
 static const char lambert_w0_doc[] =
@@ -1996,9 +2332,11 @@ static void lambert_wm1_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_lambert_wm1f(GS_X(float, 0));
 }
 static const gs_form lambert_wm1_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {lambert_wm1_arrays_double, lambert_wm1_arrays_float},
+    {NULL, NULL},
     {lambert_wm1_numbers_double, lambert_wm1_numbers_float},
 };
 static const char lambert_wm1_doc[] =
@@ -2040,9 +2378,11 @@ static void lambert_linear_exponential_roots_numbers_float(const void *in, void 
     gs_lambert_linear_exponential_rootsf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form lambert_linear_exponential_roots_form = {
-    4, 2, {0xf, 0xf},
+    4, 2, 4,
+    {0xf, 0xf},
     {&gs_real, &gs_real, &gs_real, &gs_real},
     {lambert_linear_exponential_roots_arrays_double, lambert_linear_exponential_roots_arrays_float},
+    {NULL, NULL},
     {lambert_linear_exponential_roots_numbers_double, lambert_linear_exponential_roots_numbers_float},
 };
 static const char lambert_linear_exponential_roots_doc[] =
@@ -2092,9 +2432,11 @@ static void phi1m_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_phi1mf(GS_X(float, 0));
 }
 static const gs_form phi1m_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {phi1m_arrays_double, phi1m_arrays_float},
+    {NULL, NULL},
     {phi1m_numbers_double, phi1m_numbers_float},
 };
 static const char phi1m_doc[] =
@@ -2136,9 +2478,11 @@ static void phi2m_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_phi2mf(GS_X(float, 0));
 }
 static const gs_form phi2m_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {phi2m_arrays_double, phi2m_arrays_float},
+    {NULL, NULL},
     {phi2m_numbers_double, phi2m_numbers_float},
 };
 static const char phi2m_doc[] =
@@ -2180,9 +2524,11 @@ static void descent_factor_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_descent_factorf(GS_X(float, 0));
 }
 static const gs_form descent_factor_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {descent_factor_arrays_double, descent_factor_arrays_float},
+    {NULL, NULL},
     {descent_factor_numbers_double, descent_factor_numbers_float},
 };
 static const char descent_factor_doc[] =
@@ -2224,9 +2570,11 @@ static void flight_factor_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_flight_factorf(GS_X(float, 0));
 }
 static const gs_form flight_factor_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {flight_factor_arrays_double, flight_factor_arrays_float},
+    {NULL, NULL},
     {flight_factor_numbers_double, flight_factor_numbers_float},
 };
 static const char flight_factor_doc[] =
@@ -2268,9 +2616,11 @@ static void range_factor_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_range_factorf(GS_X(float, 0));
 }
 static const gs_form range_factor_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {range_factor_arrays_double, range_factor_arrays_float},
+    {NULL, NULL},
     {range_factor_numbers_double, range_factor_numbers_float},
 };
 static const char range_factor_doc[] =
@@ -2312,9 +2662,11 @@ static void best_sine_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_best_sinef(GS_X(float, 0));
 }
 static const gs_form best_sine_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {best_sine_arrays_double, best_sine_arrays_float},
+    {NULL, NULL},
     {best_sine_numbers_double, best_sine_numbers_float},
 };
 static const char best_sine_doc[] =
@@ -2356,9 +2708,11 @@ static void best_angle_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_best_anglef(GS_X(float, 0));
 }
 static const gs_form best_angle_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {best_angle_arrays_double, best_angle_arrays_float},
+    {NULL, NULL},
     {best_angle_numbers_double, best_angle_numbers_float},
 };
 static const char best_angle_doc[] =
@@ -2400,9 +2754,11 @@ static void max_range_factor_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_max_range_factorf(GS_X(float, 0));
 }
 static const gs_form max_range_factor_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {max_range_factor_arrays_double, max_range_factor_arrays_float},
+    {NULL, NULL},
     {max_range_factor_numbers_double, max_range_factor_numbers_float},
 };
 static const char max_range_factor_doc[] =
@@ -2444,9 +2800,11 @@ static void w0_offset_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_w0_offsetf(GS_X(float, 0));
 }
 static const gs_form w0_offset_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {w0_offset_arrays_double, w0_offset_arrays_float},
+    {NULL, NULL},
     {w0_offset_numbers_double, w0_offset_numbers_float},
 };
 static const char w0_offset_doc[] =
@@ -2488,9 +2846,11 @@ static void wm1_offset_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_wm1_offsetf(GS_X(float, 0));
 }
 static const gs_form wm1_offset_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {wm1_offset_arrays_double, wm1_offset_arrays_float},
+    {NULL, NULL},
     {wm1_offset_numbers_double, wm1_offset_numbers_float},
 };
 static const char wm1_offset_doc[] =
@@ -2532,9 +2892,11 @@ static void w0_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_w0f(GS_X(float, 0));
 }
 static const gs_form w0_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {w0_arrays_double, w0_arrays_float},
+    {NULL, NULL},
     {w0_numbers_double, w0_numbers_float},
 };
 static const char w0_doc[] =
@@ -2576,9 +2938,11 @@ static void wm1_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_wm1f(GS_X(float, 0));
 }
 static const gs_form wm1_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {wm1_arrays_double, wm1_arrays_float},
+    {NULL, NULL},
     {wm1_numbers_double, wm1_numbers_float},
 };
 static const char wm1_doc[] =
@@ -2620,9 +2984,11 @@ static void exp_minus_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_exp_minusf(GS_X(float, 0));
 }
 static const gs_form exp_minus_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {exp_minus_arrays_double, exp_minus_arrays_float},
+    {NULL, NULL},
     {exp_minus_numbers_double, exp_minus_numbers_float},
 };
 static const char exp_minus_doc[] =
@@ -2664,9 +3030,11 @@ static void sin_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_sinf(GS_X(float, 0));
 }
 static const gs_form sin_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {sin_arrays_double, sin_arrays_float},
+    {NULL, NULL},
     {sin_numbers_double, sin_numbers_float},
 };
 static const char sin_doc[] =
@@ -2708,9 +3076,11 @@ static void cos_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_cosf(GS_X(float, 0));
 }
 static const gs_form cos_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {cos_arrays_double, cos_arrays_float},
+    {NULL, NULL},
     {cos_numbers_double, cos_numbers_float},
 };
 static const char cos_doc[] =
@@ -2752,9 +3122,11 @@ static void arctan_numbers_float(const void *in, void *out)
     GS_Y(float, 0) = gs_special_arctanf(GS_X(float, 0));
 }
 static const gs_form arctan_form = {
-    1, 1, {0x1},
+    1, 1, 1,
+    {0x1},
     {&gs_real},
     {arctan_arrays_double, arctan_arrays_float},
+    {NULL, NULL},
     {arctan_numbers_double, arctan_numbers_float},
 };
 static const char arctan_doc[] =

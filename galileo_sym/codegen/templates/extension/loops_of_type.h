@@ -2,19 +2,23 @@
 
 static GS_REAL GS_OF(gs_read)(const char *place) { return *(const GS_REAL *)place; }
 
-/* Blocks of which inputs without a step are filled once, others gathered unless contiguous; outputs likewise. */
+/* Blocks of which inputs without a step are filled once, others gathered unless contiguous; outputs likewise. Keyword
+ * arguments that do not vary go by value, if there is a function for that. */
 static void GS_OF(gs_blocks)(const gs_form *form, int wanted, char **args, const npy_intp *steps, npy_intp n)
 {
     GS_REAL inputs[GS_MOST_INPUTS][GS_BLOCK], outputs[GS_MOST_OUTPUTS][GS_BLOCK];
     const void *in[GS_MOST_INPUTS];
     void *out[GS_MOST_OUTPUTS];
     const npy_intp most = n < GS_BLOCK ? n : GS_BLOCK, dense = sizeof(GS_REAL);
+    const int by_value = form->values[GS_KIND] != NULL && gs_uniform(form, steps);
+    gs_arrays *const evaluate = by_value ? form->values[GS_KIND] : form->arrays[GS_KIND];
     npy_intp at_once = n;
     for (int i = 0; i < form->inputs; i++) {
+        const int is_value = by_value && i >= form->keywords;
         if (steps[i] == 0)
-            for (npy_intp j = 0; j < most; j++)
+            for (npy_intp j = 0; j < (is_value ? 1 : most); j++)
                 inputs[i][j] = GS_OF(gs_read)(args[i]);
-        if (steps[i] != dense)
+        if (steps[i] != dense && !is_value)
             at_once = most;
     }
     for (int o = 0; o < form->outputs; o++)
@@ -34,7 +38,7 @@ static void GS_OF(gs_blocks)(const gs_form *form, int wanted, char **args, const
             const int direct = gs_given(wanted, o) && steps[place] == dense;
             out[o] = direct ? (void *)(args[place] + begin * dense) : outputs[o];
         }
-        form->arrays[GS_KIND]((size_t)count, in, out);
+        evaluate((size_t)count, in, out);
         for (int o = 0; o < form->outputs; o++) {
             const int place = gs_place(form, wanted, o);
             if (gs_given(wanted, o) && steps[place] != dense)
@@ -56,20 +60,27 @@ static void GS_OF(gs_one)(const gs_form *form, char **args, const npy_intp *step
     form->arrays[GS_KIND](1, in, out);
 }
 
-/* All arguments that vary are inside their domains; comparisons that raise no flag for NaN. */
+/* All arguments that vary are inside their domains. A NaN is not, of which no flag is left. */
 static int GS_OF(gs_inside)(const gs_form *form, char **args, const npy_intp *steps, npy_intp begin, npy_intp count)
 {
+    const int before = fetestexcept(FE_INVALID);
     int inside = 1;
     for (int i = 0; i < form->inputs; i++) {
         if (steps[i] == 0)
             continue;
-        const GS_REAL low = (GS_REAL)form->domain[i]->low, high = (GS_REAL)form->domain[i]->high;
+        const GS_REAL low = (GS_REAL)form->domain[i]->low[GS_KIND], high = (GS_REAL)form->domain[i]->high;
         const char *from = args[i] + begin * steps[i];
-        for (npy_intp j = 0; j < count; j++) {
-            const GS_REAL x = GS_OF(gs_read)(from + j * steps[i]);
-            inside &= isgreaterequal(x, low) & islessequal(x, high);
-        }
+        if (steps[i] == (npy_intp)sizeof(GS_REAL))
+            for (npy_intp j = 0; j < count; j++)
+                inside &= ((const GS_REAL *)from)[j] >= low && ((const GS_REAL *)from)[j] <= high;
+        else
+            for (npy_intp j = 0; j < count; j++) {
+                const GS_REAL x = GS_OF(gs_read)(from + j * steps[i]);
+                inside &= x >= low && x <= high;
+            }
     }
+    if (!inside && !before)
+        feclearexcept(FE_INVALID);
     return inside;
 }
 
