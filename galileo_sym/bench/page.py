@@ -43,7 +43,7 @@ def page(document):
         way=document.way,
         most=References.most,
     )
-    parts = [head, *(f"## {title}\n\n{_markdown(*lines)}" for title, lines in report.tables(document).items())]
+    parts = [head.rstrip(), *(f"## {title}\n\n{_markdown(*lines)}" for title, lines in report.tables(document).items())]
     if document.notes:
         parts.append("## Missing\n\n" + "\n".join(f"- {sentence}" for sentence in document.notes))
     return "\n\n".join(parts) + "\n"

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .contestants import PublicFunctions, public_call
 from .timing import Job, against, interleaved
 
 THREADS = 2
@@ -43,15 +44,18 @@ def _by_pool(contestant, case, arguments, count, pool):
 
 
 def _by_dask(contestant, case, arguments, count):
-    """A call that computes a dask array of as many blocks by a pool of threads."""
+    """A call that computes a dask array of as many blocks by a pool of threads; public functions take such arrays."""
     import dask.array as da  # noqa: PLC0415 (an extra, and slow to import)
 
-    blocks = [da.from_array(arguments[name], chunks=-(-count // SLICES)) for name in case.arguments]
+    blocks = {name: da.from_array(arguments[name], chunks=-(-count // SLICES)) for name in case.arguments}
+    if isinstance(contestant, PublicFunctions):
+        whole = public_call(case, blocks)()
+    else:
 
-    def of_block(*parts):
-        return contestant.results(case, dict(zip(case.arguments, parts, strict=True)))[0]
+        def of_block(*parts):
+            return contestant.results(case, dict(zip(case.arguments, parts, strict=True)))[0]
 
-    whole = da.map_blocks(of_block, *blocks, dtype=float)
+        whole = da.map_blocks(of_block, *blocks.values(), dtype=float)
     return lambda: whole.compute(scheduler="threads", num_workers=THREADS)
 
 

@@ -107,7 +107,8 @@ def tables(document):
 def text(document):
     """Tables for the terminal, the targets last."""
     found = tables(document)
-    parts = [f"{title}\n{columns(found[title])}" for title in [*list(found)[1:], "Targets"]]
+    stamp = ", ".join(f"{name} {value}" for name, value in document.stamp.items())
+    parts = [stamp, *(f"{title}\n{columns(found[title])}" for title in [*list(found)[1:], "Targets"])]
     parts.append("\n".join(f"missing: {sentence}" for sentence in document.notes))
     parts.append("\n".join(f"problem: {sentence}" for sentence in document.problems))
     return "\n\n".join([*filter(None, parts), summary(document)])
