@@ -17,20 +17,6 @@ typedef struct {
     gs_v sign;
 } gs_turn;
 
-#if GS_LANES == 8
-static inline unsigned gs_bits_of(gs_mask m) { return m; }
-static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a | b; }
-static inline gs_mask gs_not(gs_mask a) { return (gs_mask)~a; }
-#elif GS_LANES == 4
-static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)_mm256_movemask_pd(m); }
-static inline gs_mask gs_either(gs_mask a, gs_mask b) { return _mm256_or_pd(a, b); }
-static inline gs_mask gs_not(gs_mask a) { return _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1))); }
-#else
-static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)m; }
-static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a || b; }
-static inline gs_mask gs_not(gs_mask a) { return !a; }
-#endif
-
 /* The first of `count` numbers and copies of the last, a vector in all. */
 static inline const double *gs_padded(double *pad, const double *x, size_t count)
 {

@@ -9,17 +9,7 @@
 /* Whether no number within 2^-34 of r lies on the other side of a tie between floats, nor among the subnormal ones. */
 static inline gs_mask gs_rounds_one_way(gs_v r)
 {
-    const gs_mask normal = gs_at_least(gs_abs(r), gs_v_of(0x1p-126));
-#if GS_LANES == 8
-    const __m512i left = _mm512_add_epi64(_mm512_castpd_si512(r), _mm512_set1_epi64(0x10040000));
-    return normal & _mm512_cmpge_epu64_mask(_mm512_and_si512(left, _mm512_set1_epi64(0x1fffffff)), _mm512_set1_epi64(0x80000));
-#elif GS_LANES == 4
-    const __m256i left = _mm256_add_epi64(_mm256_castpd_si256(r), _mm256_set1_epi64x(0x10040000));
-    const __m256i place = _mm256_and_si256(left, _mm256_set1_epi64x(0x1fffffff));
-    return _mm256_and_pd(normal, _mm256_castsi256_pd(_mm256_cmpgt_epi64(place, _mm256_set1_epi64x(0x7ffff))));
-#else
-    return normal && ((gs_bits(r) + 0x10040000) & 0x1fffffff) >= 0x80000;
-#endif
+    return gs_both(gs_at_least(gs_abs(r), gs_v_of(0x1p-126)), gs_off_ties(r));
 }
 
 /* Two vectors a turn, so that each column of a table serves both. */

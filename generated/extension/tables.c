@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "7cf10092818c45b08bb30346c671841ea79fb7264c6f6802f02119471c311d2a";
+const char gs_sources[] = "0897cc62ab515bc0f26c5c50703dc7f985888d3c4531fff242e81c3bea2d4948";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};

@@ -47,7 +47,8 @@ def _tells_descent_times(out):
 @with_compiler
 def test_one_file_gives_the_same_bits(compiler):
     whole = compiled.library()  # skips where there is no compiler
-    single = ctypes.CDLL(str(kept_library([ONE_FILE], [compiler])))
+    flags = ["-O1" if flag == "-O2" else flag for flag in FLAGS]  # half the time of compiling
+    single = ctypes.CDLL(str(kept_library([ONE_FILE], [compiler], flags)))
     names = re.findall(r"\b(gs_\w+_n)\(size_t n, ([^)]*)\)", (compiled.SOURCES / "galileo.h").read_text())
     assert len(names) > 60
     functions = {f"gs_{f.paper}_{f.name}": f for f in FUNCTIONS.values()}
@@ -86,7 +87,7 @@ def test_the_example_by_one_line(tmp_path):
 def test_cmake_builds_and_installs_and_pkg_config_finds(tmp_path):
     cmake, pkg_config, compiler = _needs("cmake"), _needs("pkg-config"), compiled.first_compiler()
     build, prefix = tmp_path / "build", tmp_path / "prefix"
-    options = [f"-DCMAKE_INSTALL_PREFIX={prefix}", "-DCMAKE_BUILD_TYPE=Release", "-DGALILEO_PORTABLE=ON"]
+    options = [f"-DCMAKE_INSTALL_PREFIX={prefix}", "-DCMAKE_BUILD_TYPE=Debug", "-DGALILEO_PORTABLE=ON"]
     _done(cmake, "-S", compiled.SOURCES, "-B", build, *options, "-DCMAKE_INSTALL_LIBDIR=lib")
     _done(cmake, "--build", build, "--parallel", "2")
     _tells_descent_times(_done(build / "descent_time"))

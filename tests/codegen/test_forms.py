@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 from samples import arguments
 
+from galileo_sym import _backend
 from galileo_sym.codegen.forms import ARRAYS, VALUES, name_of
 from galileo_sym.codegen.kernels import TARGETS
 from galileo_sym.codegen.lanes import forms, shapes
+from galileo_sym.generated._functions import FUNCTIONS
 
 FORMS = forms()
 IDS = [f"{f.full_name}-{s}" for f, s in FORMS]
@@ -63,6 +65,13 @@ def awkward(function, force_set, seed, dtype):
         with np.errstate(over="ignore", under="ignore"):
             values.append(np.where(struck, rng.choice(odd, COUNT), value).astype(dtype))
     return values
+
+
+def plain_results(results, least):
+    """Where all results are finite and far from the smallest numbers: these raise no flag, nor does a constant 0."""
+    sizes = np.abs(results)
+    sizes = sizes[sizes.max(axis=1) > 0]
+    return np.all((sizes > least) & (sizes < 1 / least), axis=0)
 
 
 def _same(results, others):
@@ -137,6 +146,28 @@ def test_binary32_is_the_binary64_result_but_for_a_little(function, force_set):
         assert units[plain].max(initial=0.0) <= 0.5 + 1 / 64
 
 
+@each_dtype
+@each_form
+def test_the_extension_gives_the_same_bits_and_flags(function, force_set, dtype):
+    """It is compiled by other options, -O3 among them."""
+    if _backend.EXTENSION is None:
+        pytest.skip("no compiled extension: the NumPy back end serves")
+    acting = function.variants[force_set][0]
+    ufunc = getattr(_backend.EXTENSION, FUNCTIONS[function.full_name]["ufuncs"][acting][0])
+    values = awkward(function, force_set, 6, dtype)
+    with np.errstate(all="ignore"):
+        found = ufunc(*values)
+    found = found if isinstance(found, tuple) else (found,)
+    assert _same(found, run(compiled.library(), function, force_set, ARRAYS, values))
+    with np.errstate(all="ignore"):
+        values = [v.astype(dtype) for v in arguments(function, force_set, COUNT, 1, seed=7).values()]
+        found = ufunc(*values)
+        plain = plain_results(found if isinstance(found, tuple) else (found,), 1e-30)
+    assert np.count_nonzero(plain) > COUNT // 4
+    with np.errstate(all="raise"):
+        ufunc(*(v[plain] for v in values))
+
+
 FLAGS = {"invalid": 1, "divide": 4, "overflow": 8, "underflow": 16}  # as x86-64 has them
 _elsewhere = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="FLAGS are those of x86-64")
 
@@ -148,9 +179,7 @@ def test_only_results_raise_flags(function, force_set):
     library, libm = compiled.library(), ctypes.CDLL("libm.so.6")
     values = list(arguments(function, force_set, COUNT, 40, seed=4).values())
     with np.errstate(all="ignore"):
-        sizes = np.abs(run(library, function, force_set, ARRAYS, values))
-        sizes = sizes[sizes.max(axis=1) > 0]  # a result that is always 0 raises nothing
-        plain = np.all((sizes > 1e-300) & (sizes < 1e300), axis=0)
+        plain = plain_results(run(library, function, force_set, ARRAYS, values), 1e-300)
     values = [np.ascontiguousarray(v[plain]) for v in values]
     assert values[0].size > 20
     for ending in ["", *(f"_{version}" for version in versions())]:

@@ -35,8 +35,8 @@ every version by every compiler: plain C99, one number at a time with FMA, AVX2,
 
 
 SINGLES = """What `gs_special_NAME_nf` calls is quicker: plain double arithmetic where that settles the rounding, else
-the pairs that are tried above. Here both are held to the same bits: vector versions at all 2^32 inputs, those of one
-number at a time in one of 256 stretches of 2^20."""
+the pairs that are tried above. Here both are held to the same bits: in the widest version at all 2^32 inputs, with four
+lanes in one of 16 stretches of 2^20 inputs, with one in one of 256."""
 
 
 def machine():

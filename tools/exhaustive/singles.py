@@ -1,6 +1,6 @@
 """Hold the quick binary32 primitives to those by pairs, which `run.py` judges. Exits with 1 if a bit differs.
 
-Vector versions are tried at all 2^32 inputs, those of one number at a time in one of 256 stretches. A whole run
+The widest version that the machine can run is tried at all 2^32 inputs, the others at some of them. A whole run
 renews tests/data/exhaustive.json and docs/exhaustive.md.
 """
 
@@ -25,7 +25,7 @@ from galileo_sym.progress import progress_bar  # noqa: E402
 
 STRETCH = 1 << 20
 STRETCHES = (1 << 32) // STRETCH
-SHARE = 256  # of the versions of one number at a time, one stretch of so many is tried
+SHARES = {8: 1, 4: 16, 1: 256}  # of versions of so many lanes, one stretch of so many is tried
 
 
 def differing(library, name, version, stretch):
@@ -61,9 +61,11 @@ def compare(library, name, stretches=range(STRETCHES), progress=None):
     """
     begin = time.perf_counter()
     row = {"inputs": {}, "differing": 0, "examples": []}
-    for version in ("plain", *libraries.suffixes()):
-        single = version == "plain" or TARGETS[version][2] == 1
-        chosen = stretches[:: SHARE if single else 1]
+    runnable = ("plain", *libraries.suffixes())
+    widest = max(runnable, key=lambda version: TARGETS[version][2] if version in TARGETS else 0)
+    for version in runnable:
+        share = SHARES[1 if version == "plain" else TARGETS[version][2]]
+        chosen = stretches[:: share if version != widest else 1]
         with ThreadPoolExecutor(2) as pool:
             found = pool.map(lambda stretch, v=version: differing(library, name, v, stretch), chosen)
             for number, bits in enumerate(found, 1):

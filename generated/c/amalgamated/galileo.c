@@ -803,6 +803,9 @@ static inline gs_mask gs_at_least(gs_v a, gs_v b) { return isgreaterequal(a, b);
 static inline gs_mask gs_less(gs_v a, gs_v b) { return isless(a, b); }
 static inline gs_mask gs_both(gs_mask a, gs_mask b) { return a && b; }
 static inline int gs_all(gs_mask m) { return m; }
+static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a || b; }
+static inline gs_mask gs_not(gs_mask a) { return !a; }
+static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)m; }
 static inline gs_v gs_select(gs_mask m, gs_v a, gs_v b) { return m ? a : b; }
 static inline uint64_t gs_bits(double x)
 {
@@ -829,6 +832,7 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
         return hi;
     return gs_of_bits((lo < 0.0) == (hi < 0.0) ? bits + 1 : bits - 1);
 }
+static inline gs_mask gs_off_ties(gs_v r) { return ((gs_bits(r) + 0x10040000) & 0x1fffffff) >= 0x80000; }
 
 
 /* The exact rest of s = a + b, rounded, where |a| >= |b| or a = 0. */
@@ -7738,10 +7742,6 @@ typedef struct {
     gs_v sign;
 } gs_turn;
 
-static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)m; }
-static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a || b; }
-static inline gs_mask gs_not(gs_mask a) { return !a; }
-
 /* The first of `count` numbers and copies of the last, a vector in all. */
 static inline const double *gs_padded(double *pad, const double *x, size_t count)
 {
@@ -10196,8 +10196,7 @@ static inline gs_v gs_s_range_balance(gs_v b) { return gs_s_mul(gs_s_phi0m(b), g
 /* Whether no number within 2^-34 of r lies on the other side of a tie between floats, nor among the subnormal ones. */
 static inline gs_mask gs_rounds_one_way(gs_v r)
 {
-    const gs_mask normal = gs_at_least(gs_abs(r), gs_v_of(0x1p-126));
-    return normal && ((gs_bits(r) + 0x10040000) & 0x1fffffff) >= 0x80000;
+    return gs_both(gs_at_least(gs_abs(r), gs_v_of(0x1p-126)), gs_off_ties(r));
 }
 
 /* Two vectors a turn, so that each column of a table serves both. */

@@ -51,6 +51,9 @@ static inline gs_mask gs_at_least(gs_v a, gs_v b) { return _mm512_cmp_pd_mask(a,
 static inline gs_mask gs_less(gs_v a, gs_v b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 static inline gs_mask gs_both(gs_mask a, gs_mask b) { return a & b; }
 static inline int gs_all(gs_mask m) { return m == 0xff; }
+static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a | b; }
+static inline gs_mask gs_not(gs_mask a) { return (gs_mask)~a; }
+static inline unsigned gs_bits_of(gs_mask m) { return m; }
 static inline gs_v gs_select(gs_mask m, gs_v a, gs_v b) { return _mm512_mask_blend_pd(m, b, a); }
 static inline gs_index gs_piece(gs_v shifted, int64_t first, int drop)
 {
@@ -84,6 +87,12 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
     const __mmask8 move = _mm512_cmp_pd_mask(lo, _mm512_setzero_pd(), _CMP_NEQ_OQ) & _mm512_testn_epi64_mask(bits, one);
     return _mm512_castsi512_pd(_mm512_mask_add_epi64(bits, move, bits, _mm512_or_si512(opposite, one)));
 }
+/* the bits that a rounding to binary32 takes away are more than 2^18 from a tie */
+static inline gs_mask gs_off_ties(gs_v r)
+{
+    const __m512i left = _mm512_add_epi64(_mm512_castpd_si512(r), _mm512_set1_epi64(0x10040000));
+    return _mm512_cmpge_epu64_mask(_mm512_and_si512(left, _mm512_set1_epi64(0x1fffffff)), _mm512_set1_epi64(0x80000));
+}
 
 #elif GS_LANES == 4
 
@@ -111,6 +120,9 @@ static inline gs_mask gs_at_least(gs_v a, gs_v b) { return _mm256_cmp_pd(a, b, _
 static inline gs_mask gs_less(gs_v a, gs_v b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 static inline gs_mask gs_both(gs_mask a, gs_mask b) { return _mm256_and_pd(a, b); }
 static inline int gs_all(gs_mask m) { return _mm256_movemask_pd(m) == 0xf; }
+static inline gs_mask gs_either(gs_mask a, gs_mask b) { return _mm256_or_pd(a, b); }
+static inline gs_mask gs_not(gs_mask a) { return _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1))); }
+static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)_mm256_movemask_pd(m); }
 static inline gs_v gs_select(gs_mask m, gs_v a, gs_v b) { return _mm256_blendv_pd(b, a, m); }
 /* each index 0..15 as the permutation of floats that picks it out of four doubles, and its bits 2 and 3 as masks */
 static inline gs_index gs_index_of(__m256i i)
@@ -158,6 +170,12 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
     const __m256i step = _mm256_and_si256(_mm256_and_si256(inexact, even), _mm256_or_si256(opposite, one));
     return _mm256_castsi256_pd(_mm256_add_epi64(bits, step));
 }
+static inline gs_mask gs_off_ties(gs_v r)
+{
+    const __m256i left = _mm256_add_epi64(_mm256_castpd_si256(r), _mm256_set1_epi64x(0x10040000));
+    const __m256i place = _mm256_and_si256(left, _mm256_set1_epi64x(0x1fffffff));
+    return _mm256_castsi256_pd(_mm256_cmpgt_epi64(place, _mm256_set1_epi64x(0x7ffff)));
+}
 
 #else
 
@@ -185,6 +203,9 @@ static inline gs_mask gs_at_least(gs_v a, gs_v b) { return isgreaterequal(a, b);
 static inline gs_mask gs_less(gs_v a, gs_v b) { return isless(a, b); }
 static inline gs_mask gs_both(gs_mask a, gs_mask b) { return a && b; }
 static inline int gs_all(gs_mask m) { return m; }
+static inline gs_mask gs_either(gs_mask a, gs_mask b) { return a || b; }
+static inline gs_mask gs_not(gs_mask a) { return !a; }
+static inline unsigned gs_bits_of(gs_mask m) { return (unsigned)m; }
 static inline gs_v gs_select(gs_mask m, gs_v a, gs_v b) { return m ? a : b; }
 static inline uint64_t gs_bits(double x)
 {
@@ -211,6 +232,7 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
         return hi;
     return gs_of_bits((lo < 0.0) == (hi < 0.0) ? bits + 1 : bits - 1);
 }
+static inline gs_mask gs_off_ties(gs_v r) { return ((gs_bits(r) + 0x10040000) & 0x1fffffff) >= 0x80000; }
 
 #endif
 
