@@ -12,8 +12,8 @@ from galileo_sym.primitives.lines import Line, left_of, used
 from galileo_sym.primitives.pieces import COUNT, solve
 
 TOLERANCE = 2.0**-35  # 2^-12 of a unit in the last place of binary32
-_DIGITS = 40
-_CHECKS = 24
+_DIGITS = 60
+_CHECKS = 12
 DEGREES = {
     **dict.fromkeys(("phi1m", "phi1m_tail", "phi2m", "phi2m_tail", "flight_factor", "range_factor", "range_tail"), 8),
     **dict.fromkeys(("max_range_factor", "omega", "w0_ratio"), 8),
@@ -26,13 +26,35 @@ DEGREES = {
 }
 
 
-def _fit(piece, lower, upper, degree):
-    """Coefficients of fewer terms on a piece, and the largest relative difference found."""
-    centre = mpf(piece.centre)
+@cache
+def _interpolation(degree):
+    """Chebyshev nodes in [-1, 1], and the matrix that makes coefficients of the values there."""
+    nodes = [mp.cos(mp.pi * (2 * j + 1) / (2 * (degree + 1))) for j in range(degree + 1)]
+    return nodes, mp.matrix([[node**k for k in range(degree + 1)] for node in nodes]) ** -1
+
+
+def _about_the_middle(piece, half, degree):
+    """Coefficients on a piece of which the centre is the middle."""
+    nodes, inverse = _interpolation(degree)
+    scaled = inverse * mp.matrix([piece.value(piece.centre + half * node) for node in nodes])
+    return [scaled[k] / half**k for k in range(degree + 1)]
+
+
+def _from_an_end(piece, lower, upper, degree):
+    """Coefficients on a piece that begins at 0, where the value is kept, or is about as long as far from 0."""
     known = {} if piece.centre else {0: piece.value(mpf(0))}
     free = [k for k in range(degree + 1) if k not in known]
-    found = known | solve(piece.value, lower, upper, centre, known, free)
-    rounded = [float(found[k]) for k in range(degree + 1)]
+    found = known | solve(piece.value, lower, upper, mpf(piece.centre), known, free)
+    return [found[k] for k in range(degree + 1)]
+
+
+def _fit(piece, lower, upper, degree):
+    """Coefficients of fewer terms on a piece, and the largest relative difference found."""
+    centre, half = mpf(piece.centre), (mpf(upper) - lower) / 2
+    exact = (
+        _about_the_middle(piece, half, degree) if lower + half == centre else _from_an_end(piece, lower, upper, degree)
+    )
+    rounded = [float(c) for c in exact]
     points = [lower + (mpf(upper) - lower) * (2 * j + 1) / (2 * _CHECKS) for j in range(_CHECKS)]
     worst = max(abs(mp.polyval(rounded[::-1], x - centre) / piece.value(x) - 1) for x in points)
     return rounded, worst

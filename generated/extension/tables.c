@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "0897cc62ab515bc0f26c5c50703dc7f985888d3c4531fff242e81c3bea2d4948";
+const char gs_sources[] = "beac743270c16c4c4f6ace434d04adc9a7bfffb95ee39ac8b14022e254cad3e5";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};

@@ -85,7 +85,8 @@ def reference(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def tested(tmp_path_factory):
-    return libraries.compile_tested(emitted.c_folder(), tmp_path_factory.mktemp("tested") / "tested.so")
+    target = tmp_path_factory.mktemp("tested") / "tested.so"
+    return libraries.compile_tested(emitted.c_folder(), target, quickly=True)
 
 
 @pytest.fixture

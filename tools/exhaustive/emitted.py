@@ -15,7 +15,7 @@ LOOPS = "galileo_loops.h"
 QUICK = ("galileo_lean.h", "galileo_singles.h")
 _HEAD = r"^(?:GS_TABLE\((\w+)\)|static\b[^\n(]*?\b(gs_\w+)\()"
 _DEFINITION = re.compile(_HEAD + r"(?:[^\n]*\}\n|.*?^\}[^\n]*\n)", re.MULTILINE | re.DOTALL)  # in a line, or in many
-_GUARD = re.compile(r"#ifndef (\w+)\n#define \1\n(#include \"galileo\w*\.h\"\n)?(.*)#endif\s*", re.DOTALL)
+_GUARD = re.compile(r"#ifndef (\w+)\n#define \1\n((?:#include \"galileo\w*\.h\"\n)*)(.*)#endif\s*", re.DOTALL)
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _CALLED_BY_LOOPS = ("gs_v_load", "gs_v_store", "gs_v_widen", "gs_v_narrow", "gs_to_odd")
 _NAME = re.compile(r"\bgs_\w+")
@@ -26,7 +26,7 @@ def c_folder():
     return generated_folder() / "c"
 
 
-def used_by(name, text):
+def used_by(name, text, form="value"):
     """Return the definitions that `gs_NAME_value` and the loops around it need, in the order of the text.
 
     Parameters
@@ -35,6 +35,8 @@ def used_by(name, text):
         A primitive.
     text : str
         Definitions, without comments; one name may have several, for vectors of different widths.
+    form : str
+        Another end of the function's name.
 
     Raises
     ------
@@ -45,9 +47,9 @@ def used_by(name, text):
     bodies = {}
     for key, body in found:
         bodies[key] = bodies.get(key, "") + body
-    if f"gs_{name}_value" not in bodies:
-        raise KeyError(f"the emitted kernels define no gs_{name}_value")
-    needed, waiting = set(), [f"gs_{name}_value", *_CALLED_BY_LOOPS]
+    if f"gs_{name}_{form}" not in bodies:
+        raise KeyError(f"the emitted kernels define no gs_{name}_{form}")
+    needed, waiting = set(), [f"gs_{name}_{form}", *_CALLED_BY_LOOPS]
     while waiting:
         here = waiting.pop()
         if here in bodies and here not in needed:
@@ -82,5 +84,7 @@ def digest(name, folder=None):
 def singles_digest(name, folder=None):
     """Return the SHA-256 of what the quick binary32 function of a primitive, and that by pairs, are compiled from."""
     folder = Path(folder or c_folder())
-    parts = [digest(name, folder), *(" ".join(_COMMENT.sub("", (folder / file).read_text()).split()) for file in QUICK)]
-    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+    text = "".join(_bare(folder / file) for file in (*HEADERS, *QUICK))
+    macro = re.search(r"#define GS_SINGLES\(name\).*?[^\\]\n", text, re.DOTALL).group()
+    parts = [digest(name, folder), *used_by(name, text, "quick"), macro]
+    return hashlib.sha256("\n".join(" ".join(part.split()) for part in parts).encode()).hexdigest()

@@ -74,7 +74,7 @@ def main(arguments=None) -> int:
     sources = {name: digest(name, folder) for name in names}
     faults = 0
     with tempfile.TemporaryDirectory(prefix="galileo-sym-") as place:
-        tested = libraries.compile_tested(folder, Path(place) / "tested.so")
+        tested = libraries.compile_tested(folder, Path(place) / "tested.so", quickly=not whole)
         reference = libraries.compile_reference(Path(place) / "reference.so", chosen.shift)
         for name in names:
             state = ROOT / "build" / "exhaustive" / f"{name}.json" if whole else None

@@ -123,9 +123,10 @@ def main(arguments=None) -> int:
     chosen = parser.parse_args(arguments)
     folder, differing = chosen.sources or c_folder(), 0
     sources = {name: digest(name, folder) for name in chosen.names or KERNELS}
+    brief = chosen.sources is not None or chosen.count < COUNT
     with tempfile.TemporaryDirectory(prefix="galileo-sym-") as place:
         compilers = [c for c in ("gcc", "clang") if shutil.which(c)] or ["cc"]
-        tested = {c: libraries.compile_tested(folder, Path(place) / f"{c}.so", [c]) for c in compilers}
+        tested = {c: libraries.compile_tested(folder, Path(place) / f"{c}.so", [c], brief) for c in compilers}
         generator = libraries.compile_reference(Path(place) / "reference.so")
         for name, digest_of_it in sources.items():
             inputs = Inputs(name, generator, chosen.count, chosen.seed)

@@ -8831,37 +8831,37 @@ GS_TABLE(gs_grown_balance_tail_lean2) = {
     0x1.540c79acaf582p-10, 0x1.3418fdb1cf068p-12, 0x1.f67f8d684c9f4p-15, 0x1.7deb0face6e34p-17,
     0x1.cf1708cd77d71p-21, 0x1.a97bccb687e62p-26, 0x1.67bf3e9feb690p-31, 0x1.1f4cfe354ebebp-36,
     0x1.1949cd122b1a5p-44, 0x1.286133f5f11a3p-55, 0x1.2190e8b7ce5adp-66, 0x1.0c5b40d888af0p-77,
-    0x1.8bda933eea64ap-91, 0x1.27abcc44c778ap-113, -0x1.748546f5d13edp-137, -0x1.6a09e667f3bcdp-150
+    0x1.8bda933eea68cp-91, 0x1.27abc95449305p-113, 0x1.9551b3dd9d2f0p-136, 0x1.05f5805856285p-158
 };
 GS_TABLE(gs_grown_balance_tail_lean3) = {
     -0x1.40d1bbf5e8a63p-12, -0x1.3d5b401d0563bp-14, -0x1.10fe52fb6f1b0p-16, -0x1.add66a0d707a0p-19,
     -0x1.0dbc94843014dp-22, -0x1.fe1e8f612bf79p-28, -0x1.b764df7fd5be0p-33, -0x1.63807753939fcp-38,
     -0x1.5642b6fe458bfp-46, -0x1.6be29d239fc6dp-57, -0x1.65a5f874e6035p-68, -0x1.4cdcd7662f916p-79,
-    -0x1.5b0be7e2c5839p-94, -0x1.01fcf51372704p-116, -0x1.7555b7750592ep-136, -0x1.b9ed3a2c98603p-136
+    -0x1.5b0be7e2c5a26p-94, -0x1.01fcf96264b3dp-116, -0x1.6094691b3a60ep-139, -0x1.c6c5b6c8bcb3cp-162
 };
 GS_TABLE(gs_grown_balance_tail_lean4) = {
     0x1.a16edfe0b173bp-15, 0x1.d51b9f36636f2p-17, 0x1.b140f30bb608cp-19, 0x1.64796782a9d1ap-21,
     0x1.cfaa538e07214p-25, 0x1.c481523aaa1b5p-30, 0x1.8d8c2bc5ad050p-35, 0x1.4608b711dab29p-40,
     0x1.008a667121e85p-48, 0x1.0f25c983f1f17p-59, 0x1.0956428fb7f90p-70, 0x1.ec3e9580c8943p-82,
-    -0x1.6eb384b73db48p-95, -0x1.145f0ccfe616cp-117, 0x1.a92f79a5c492cp-144, 0x1.6a09e667f3bcdp-156
+    -0x1.6eb384b73db77p-95, -0x1.145f0ad4f40f6p-117, -0x1.7d0f0aad26085p-140, -0x1.ee8bf1ec6276dp-163
 };
 GS_TABLE(gs_grown_balance_tail_lean5) = {
     -0x1.7842ffb58641dp-18, -0x1.0418875759d5fp-19, -0x1.09a29c77b52eep-21, -0x1.cf04d99fe83c2p-24,
     -0x1.3db7577546df3p-27, -0x1.4261914673286p-32, -0x1.21ff755fbeee1p-37, -0x1.e34917b77e0c1p-43,
     -0x1.abe484ec1c0d1p-51, -0x1.ce5d7b65207f4p-62, -0x1.cb4170294371cp-73, -0x1.ae9a5ba7401e3p-84,
-    0x1.b5eac06f19371p-99, 0x1.4dfcc0f6e0cf9p-121, 0x1.208d30c8cac69p-141, 0x1.7c54d7fedf3b2p-141
+    0x1.b5eac06f19606p-99, 0x1.4dfcc56347e35p-121, 0x1.d00376eeeedb7p-144, 0x1.2eb2eeb247085p-166
 };
 GS_TABLE(gs_grown_balance_tail_lean6) = {
     0x1.92ea3c42cea0ap-22, 0x1.b33f8cb7989c0p-23, 0x1.062402addbaf9p-24, 0x1.f0d679dde8193p-27,
     0x1.88b0f9253d28fp-30, 0x1.a66c5fa4517d2p-35, 0x1.8921a2aba8bcfp-40, 0x1.4efa3977862fdp-45,
     0x1.de1cc0d000d79p-53, 0x1.0c417fb3bb630p-63, 0x1.111e54ae5e729p-74, 0x1.0495e29c1d743p-85,
-    0x1.3a32b72f6db00p-100, 0x1.d469b29071679p-123, 0x1.58538807a526ap-146, 0x1.e9d5b505a53bcp-288
+    0x1.3a32b72f6db0bp-100, 0x1.d469b135d6591p-123, 0x1.409eb6e324bf4p-145, 0x1.9e06243ce2291p-168
 };
 GS_TABLE(gs_grown_balance_tail_lean7) = {
     -0x1.da1e438bc5b9cp-34, -0x1.f5c9251ff2362p-27, -0x1.92ed2a3c941fbp-28, -0x1.acb8778aa346ep-30,
     -0x1.699ebeac5d4a9p-33, -0x1.9a635eecfc9f1p-38, -0x1.8940ae2ad9b7ap-43, -0x1.5555bb55db233p-48,
     -0x1.cbfdc7f83cb74p-56, -0x1.0570e15f98963p-66, -0x1.0c5b847a2e4f9p-77, -0x1.017c0f184ffb5p-88,
-    -0x1.eb8f609d9c309p-104, -0x1.6f93016a00815p-126, -0x1.cc3aeb35c97ebp-148, -0x1.9e9c1d87a1cacp-148
+    -0x1.eb8f609d9c3dfp-104, -0x1.6f9302e85faa3p-126, -0x1.f83d71127b64ap-149, -0x1.460ba6dee907ap-171
 };
 
 static inline gs_v gs_grown_balance_tail_lean(gs_v x)
