@@ -186,10 +186,13 @@ def _write(document, folder, publish):
     """Write JSON, plot and page; what was written."""
     write_whole(folder / "bench.json", (report.as_json(document) + "\n").encode())
     written = [folder / "bench.json"]
-    if plot.can_plot() and plot.pareto(document.rows, document.stamp, folder / "bench.svg"):
+    drawn = plot.can_plot() and plot.pareto(document.rows, document.stamp, folder / "bench.svg")
+    if drawn:
         written.append(folder / "bench.svg")
     if publish is not None:
-        write_whole(publish / "benchmark.md", page(document).encode())
-        plot.pareto(document.rows, document.stamp, publish / "benchmark.svg")
-        written += [publish / "benchmark.md", publish / "benchmark.svg"]
+        write_whole(publish / "benchmark.md", page(document, "benchmark.svg" if drawn else None).encode())
+        written.append(publish / "benchmark.md")
+    if publish is not None and drawn:
+        write_whole(publish / "benchmark.svg", (folder / "bench.svg").read_bytes())
+        written.append(publish / "benchmark.svg")
     return written
