@@ -7,7 +7,7 @@ STAMP := $(VENV)/.installed
 BUILT_OF := CMakeLists.txt $(wildcard generated/c/*.[ch] generated/extension/*.[ch])
 
 .DEFAULT_GOAL := all
-.PHONY: all install test mutants coverage tables exhaustive same-bits singles hard-cases prove prove-check large-samples bench lint format clean help
+.PHONY: all install test mutants coverage tables exhaustive same-bits singles hard-cases prove prove-check sanitize large-samples bench lint format clean help
 
 all: install ## install, then derive, emit and verify everything
 	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
@@ -49,6 +49,9 @@ coverage: install ## hold docs/coverage.md against a run of every derivation
 prove: install ## prove the error bounds of primitives and tables from the emitted C, and write them down
 	$(BIN)/python -m galileo_sym.verify.proof
 	$(BIN)/python -m galileo_sym.verify.proof.scaled_command
+
+sanitize: install ## run the extension's tests with AddressSanitizer and UndefinedBehaviorSanitizer
+	$(BIN)/python tools/sanitizers/run.py
 
 prove-check: install ## refuse proved bounds that are of another C
 	$(BIN)/python -m galileo_sym.verify.proof --check

@@ -1,6 +1,7 @@
 """Which back end serves the public functions: the compiled extension, or the NumPy modules where there is none."""
 
 import os
+from importlib import import_module
 
 VARIABLE = "GALILEO_SYM_BACKEND"
 NAMES = ("numpy", "c")
@@ -13,10 +14,9 @@ class BackendError(RuntimeError):
 def _extension():
     """The compiled module, or None where the installation has none."""
     try:
-        from galileo_sym.generated import _ufuncs  # noqa: PLC0415 (it may not be there)
+        return import_module("galileo_sym.generated._ufuncs")
     except ModuleNotFoundError:
         return None
-    return _ufuncs
 
 
 def _chosen():

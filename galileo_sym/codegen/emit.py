@@ -24,6 +24,7 @@ from galileo_sym.codegen import (
     numpy,
     numpy_kernels,
     pairs,
+    stubs,
     tables,
     ufunc,
 )
@@ -138,6 +139,9 @@ def _sources():
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/tables.c"] = _c("the tables of galileo_sym.primitives", tables.c_tables())
     files["_functions.py"] = _python("the catalogue", ufunc.python_table())
+    files["_ufuncs.pyi"] = _python("the catalogue", stubs.extension_stub())
+    files["stubs/special.pyi"] = _python("the catalogue", stubs.special_stub())
+    files |= {f"stubs/{paper}.pyi": _python("the catalogue", stubs.public_stub(paper)) for paper in _papers()}
     files |= _to_build(files)
     return files | _extension(files)
 

@@ -209,6 +209,11 @@ def tables(digest):
     )
 
 
+def ufunc_names():
+    """Return the names of all ufuncs, in their order."""
+    return [name for form in _forms().values() for name, _ in _ufuncs(form)]
+
+
 def _variants(function, forms):
     for force_set, (acting, _) in function.variants.items():
         names = [name for name, _ in _ufuncs(forms[function.full_name, force_set])]

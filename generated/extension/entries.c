@@ -136,6 +136,23 @@ static int gs_plain_array(PyObject *given)
     return type == NPY_DOUBLE || type == NPY_FLOAT;
 }
 
+/* Results for arrays, of the ufunc; an int goes as a float, as it may be beyond every integer type. */
+static PyObject *gs_of_arrays(const gs_entry *entry, PyObject *const *args, const double *values, unsigned acting)
+{
+    PyObject *passed[GS_MOST_OPERANDS], *results = NULL;
+    size_t count = 0, known = 0;
+    for (int i = 0; i < entry->row->operands; i++)
+        if (gs_takes_part(entry->row, acting, i)) {
+            passed[count] = PyLong_CheckExact(args[i]) ? PyFloat_FromDouble(values[i]) : Py_NewRef(args[i]);
+            known += passed[count++] != NULL;
+        }
+    if (known == count)
+        results = PyObject_Vectorcall(entry->ufuncs[acting], passed, count, NULL);
+    while (count > 0)
+        Py_XDECREF(passed[--count]);
+    return results;
+}
+
 static PyObject *gs_call(PyObject *self, PyObject *const *args, size_t flags, PyObject *names)
 {
     const gs_entry *entry = (const gs_entry *)self;
@@ -166,16 +183,11 @@ static PyObject *gs_call(PyObject *self, PyObject *const *args, size_t flags, Py
             return results;
         return PyObject_Vectorcall(entry->otherwise, args, flags, names);
     }
-    PyObject *passed[GS_MOST_OPERANDS];
     const unsigned acting = gs_acting(row, values);
-    size_t count = 0;
-    for (int i = 0; i < row->operands; i++) {
-        if ((!gs_takes_part(row, acting, i) && strengths[i] != GS_WEAK) || PyLong_CheckExact(args[i]))
+    for (int i = 0; i < row->operands; i++)
+        if (!gs_takes_part(row, acting, i) && strengths[i] != GS_WEAK)
             return PyObject_Vectorcall(entry->otherwise, args, flags, names);
-        if (gs_takes_part(row, acting, i))
-            passed[count++] = args[i];
-    }
-    return PyObject_Vectorcall(entry->ufuncs[acting], passed, count, NULL);
+    return gs_of_arrays(entry, args, values, acting);
 }
 
 static void gs_dealloc(PyObject *self)

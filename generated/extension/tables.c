@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "beac743270c16c4c4f6ace434d04adc9a7bfffb95ee39ac8b14022e254cad3e5";
+const char gs_sources[] = "97a506634111313494fb3f4308c4aa9153bd16d506c606db14f3abf4f370743b";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};
