@@ -11,11 +11,11 @@ Made by `make bench` on {date}; not written by hand. {machine}, vector code: {ve
 Python {python}, {compiler}, {versions}.
 
 {picture}One run of {rounds} interleaved rounds: every contestant once a round, the order rotated; {points} doubles in
-cache, medians. × exp is the time over that of `numpy.exp` on as many doubles in the same round ({exp} ns an element); shared
-machines are noisy, so compare these. "Spread" is the widest distance of quartiles in a line, as a share of the median.
-Errors are sampled maxima at {sample} other points, so lower bounds, in ulp of the format; "lost" is the share of points
-without a number where there is one, or with one where there is none. Inputs are drawn as `galileo-sym verify` draws
-them ("typical" unless the case says so); a special function's evenly over its usual arguments.
+cache, medians. × exp is the time over that of `numpy.exp` on as many doubles in the same round ({exp} ns an element);
+shared machines are noisy, so compare these. "Spread" is the widest distance of quartiles in a line, as a share of the
+median. Errors are sampled maxima at {sample} other points, so lower bounds, in ulp of the format; "lost" is the share
+of points without a number where there is one, or with one where there is none. Inputs are drawn as `galileo-sym verify`
+draws them ("typical" unless the case says so); a special function's evenly over its usual arguments.
 
 Contestants: the emitted C through {way}, and the emitted NumPy code, in both formats; the references of
 `galileo_sym.verify` (ball arithmetic, mpmath for special functions; {most} elements); `sympy.lambdify` of the printed
