@@ -10,517 +10,38 @@ from math import inf
 import numpy as np
 
 from . import _lines as op
+from ._fading import fading
+from ._near import near, near_pair
 from ._pieces import (
-    PHI1M_CENTRE,
-    PHI1M_C0,
-    PHI1M_C0_LO,
-    PHI1M_C1,
-    PHI1M_C1_LO,
-    PHI1M_C2,
-    PHI1M_C3,
-    PHI1M_C4,
-    PHI1M_C5,
-    PHI1M_C6,
-    PHI1M_C7,
-    PHI1M_C8,
-    PHI1M_C9,
-    PHI1M_C10,
-    PHI1M_C11,
-    PHI1M_C12,
-    PHI1M_C13,
-    PHI1M_C14,
-    PHI1M_C15,
-    PHI1M_TAIL_CENTRE,
-    PHI1M_TAIL_C0,
-    PHI1M_TAIL_C0_LO,
-    PHI1M_TAIL_C1,
-    PHI1M_TAIL_C1_LO,
-    PHI1M_TAIL_C2,
-    PHI1M_TAIL_C3,
-    PHI1M_TAIL_C4,
-    PHI1M_TAIL_C5,
-    PHI1M_TAIL_C6,
-    PHI1M_TAIL_C7,
-    PHI1M_TAIL_C8,
-    PHI1M_TAIL_C9,
-    PHI1M_TAIL_C10,
-    PHI1M_TAIL_C11,
-    PHI1M_TAIL_C12,
-    PHI1M_TAIL_C13,
-    PHI1M_TAIL_C14,
-    PHI2M_CENTRE,
-    PHI2M_C0,
-    PHI2M_C0_LO,
-    PHI2M_C1,
-    PHI2M_C1_LO,
-    PHI2M_C2,
-    PHI2M_C3,
-    PHI2M_C4,
-    PHI2M_C5,
-    PHI2M_C6,
-    PHI2M_C7,
-    PHI2M_C8,
-    PHI2M_C9,
-    PHI2M_C10,
-    PHI2M_C11,
-    PHI2M_C12,
-    PHI2M_C13,
-    PHI2M_C14,
-    PHI2M_C15,
-    PHI2M_TAIL_CENTRE,
-    PHI2M_TAIL_C0,
-    PHI2M_TAIL_C0_LO,
-    PHI2M_TAIL_C1,
-    PHI2M_TAIL_C1_LO,
-    PHI2M_TAIL_C2,
-    PHI2M_TAIL_C3,
-    PHI2M_TAIL_C4,
-    PHI2M_TAIL_C5,
-    PHI2M_TAIL_C6,
-    PHI2M_TAIL_C7,
-    PHI2M_TAIL_C8,
-    PHI2M_TAIL_C9,
-    PHI2M_TAIL_C10,
-    PHI2M_TAIL_C11,
-    PHI2M_TAIL_C12,
-    PHI2M_TAIL_C13,
-    PHI2M_TAIL_C14,
-    DESCENT_FACTOR_CENTRE,
-    DESCENT_FACTOR_C0,
-    DESCENT_FACTOR_C0_LO,
-    DESCENT_FACTOR_C1,
-    DESCENT_FACTOR_C1_LO,
-    DESCENT_FACTOR_C2,
-    DESCENT_FACTOR_C3,
-    DESCENT_FACTOR_C4,
-    DESCENT_FACTOR_C5,
-    DESCENT_FACTOR_C6,
-    DESCENT_FACTOR_C7,
-    DESCENT_FACTOR_C8,
-    DESCENT_FACTOR_C9,
-    DESCENT_FACTOR_C10,
-    DESCENT_FACTOR_C11,
-    DESCENT_FACTOR_C12,
-    DESCENT_FACTOR_C13,
-    DESCENT_FACTOR_C14,
-    FLIGHT_FACTOR_CENTRE,
-    FLIGHT_FACTOR_C0,
-    FLIGHT_FACTOR_C0_LO,
-    FLIGHT_FACTOR_C1,
-    FLIGHT_FACTOR_C1_LO,
-    FLIGHT_FACTOR_C2,
-    FLIGHT_FACTOR_C3,
-    FLIGHT_FACTOR_C4,
-    FLIGHT_FACTOR_C5,
-    FLIGHT_FACTOR_C6,
-    FLIGHT_FACTOR_C7,
-    FLIGHT_FACTOR_C8,
-    FLIGHT_FACTOR_C9,
-    FLIGHT_FACTOR_C10,
-    FLIGHT_FACTOR_C11,
-    FLIGHT_FACTOR_C12,
-    FLIGHT_FACTOR_C13,
-    FLIGHT_FACTOR_C14,
-    FLIGHT_TAIL_CENTRE,
-    FLIGHT_TAIL_C0,
-    FLIGHT_TAIL_C0_LO,
-    FLIGHT_TAIL_C1,
-    FLIGHT_TAIL_C1_LO,
-    FLIGHT_TAIL_C2,
-    FLIGHT_TAIL_C3,
-    FLIGHT_TAIL_C4,
-    FLIGHT_TAIL_C5,
-    FLIGHT_TAIL_C6,
-    FLIGHT_TAIL_C7,
-    FLIGHT_TAIL_C8,
-    FLIGHT_TAIL_C9,
-    FLIGHT_TAIL_C10,
-    FLIGHT_TAIL_C11,
-    FLIGHT_TAIL_C12,
-    FLIGHT_TAIL_C13,
-    FLIGHT_TAIL_C14,
-    RANGE_FACTOR_CENTRE,
-    RANGE_FACTOR_C0,
-    RANGE_FACTOR_C0_LO,
-    RANGE_FACTOR_C1,
-    RANGE_FACTOR_C1_LO,
-    RANGE_FACTOR_C2,
-    RANGE_FACTOR_C3,
-    RANGE_FACTOR_C4,
-    RANGE_FACTOR_C5,
-    RANGE_FACTOR_C6,
-    RANGE_FACTOR_C7,
-    RANGE_FACTOR_C8,
-    RANGE_FACTOR_C9,
-    RANGE_FACTOR_C10,
-    RANGE_FACTOR_C11,
-    RANGE_FACTOR_C12,
-    RANGE_FACTOR_C13,
-    RANGE_FACTOR_C14,
-    RANGE_TAIL_CENTRE,
-    RANGE_TAIL_C0,
-    RANGE_TAIL_C0_LO,
-    RANGE_TAIL_C1,
-    RANGE_TAIL_C1_LO,
-    RANGE_TAIL_C2,
-    RANGE_TAIL_C3,
-    RANGE_TAIL_C4,
-    RANGE_TAIL_C5,
-    RANGE_TAIL_C6,
-    RANGE_TAIL_C7,
-    RANGE_TAIL_C8,
-    RANGE_TAIL_C9,
-    RANGE_TAIL_C10,
-    RANGE_TAIL_C11,
-    RANGE_TAIL_C12,
-    RANGE_TAIL_C13,
-    RANGE_TAIL_C14,
-    BEST_SINE_CENTRE,
-    BEST_SINE_C0,
-    BEST_SINE_C0_LO,
-    BEST_SINE_C1,
-    BEST_SINE_C1_LO,
-    BEST_SINE_C2,
-    BEST_SINE_C3,
-    BEST_SINE_C4,
-    BEST_SINE_C5,
-    BEST_SINE_C6,
-    BEST_SINE_C7,
-    BEST_SINE_C8,
-    BEST_SINE_C9,
-    BEST_SINE_C10,
-    BEST_SINE_C11,
-    BEST_SINE_C12,
-    BEST_SINE_C13,
-    LOG_CENTRE,
-    LOG_C0,
-    LOG_C0_LO,
-    LOG_C1,
-    LOG_C1_LO,
-    LOG_C2,
-    LOG_C3,
-    LOG_C4,
-    LOG_C5,
-    LOG_C6,
-    LOG_C7,
-    LOG_C8,
-    LOG_C9,
-    OMEGA_CENTRE,
-    OMEGA_C0,
-    OMEGA_C0_LO,
-    OMEGA_C1,
-    OMEGA_C1_LO,
-    OMEGA_C2,
-    OMEGA_C3,
-    OMEGA_C4,
-    OMEGA_C5,
-    OMEGA_C6,
-    OMEGA_C7,
-    OMEGA_C8,
-    OMEGA_C9,
-    OMEGA_C10,
-    OMEGA_C11,
-    OMEGA_C12,
-    OMEGA_C13,
-    OMEGA_C14,
-    OMEGA_C15,
-    OMEGA_TAIL_CENTRE,
-    OMEGA_TAIL_C0,
-    OMEGA_TAIL_C0_LO,
-    OMEGA_TAIL_C1,
-    OMEGA_TAIL_C1_LO,
-    OMEGA_TAIL_C2,
-    OMEGA_TAIL_C3,
-    OMEGA_TAIL_C4,
-    OMEGA_TAIL_C5,
-    OMEGA_TAIL_C6,
-    OMEGA_TAIL_C7,
-    OMEGA_TAIL_C8,
-    OMEGA_TAIL_C9,
-    OMEGA_TAIL_C10,
-    OMEGA_TAIL_C11,
-    OMEGA_TAIL_C12,
-    OMEGA_TAIL_C13,
-    OMEGA_TAIL_C14,
-    BEST_ANGLE_CENTRE,
-    BEST_ANGLE_C0,
-    BEST_ANGLE_C0_LO,
-    BEST_ANGLE_C1,
-    BEST_ANGLE_C1_LO,
-    BEST_ANGLE_C2,
-    BEST_ANGLE_C3,
-    BEST_ANGLE_C4,
-    BEST_ANGLE_C5,
-    BEST_ANGLE_C6,
-    BEST_ANGLE_C7,
-    BEST_ANGLE_C8,
-    BEST_ANGLE_C9,
-    BEST_ANGLE_C10,
-    BEST_ANGLE_C11,
-    BEST_ANGLE_C12,
-    BEST_ANGLE_C13,
-    MAX_RANGE_FACTOR_CENTRE,
-    MAX_RANGE_FACTOR_C0,
-    MAX_RANGE_FACTOR_C0_LO,
-    MAX_RANGE_FACTOR_C1,
-    MAX_RANGE_FACTOR_C1_LO,
-    MAX_RANGE_FACTOR_C2,
-    MAX_RANGE_FACTOR_C3,
-    MAX_RANGE_FACTOR_C4,
-    MAX_RANGE_FACTOR_C5,
-    MAX_RANGE_FACTOR_C6,
-    MAX_RANGE_FACTOR_C7,
-    MAX_RANGE_FACTOR_C8,
-    MAX_RANGE_FACTOR_C9,
-    MAX_RANGE_FACTOR_C10,
-    MAX_RANGE_FACTOR_C11,
-    MAX_RANGE_FACTOR_C12,
-    MAX_RANGE_FACTOR_C13,
-    MAX_RANGE_FACTOR_C14,
-    RISE_FACTOR_CENTRE,
-    RISE_FACTOR_C0,
-    RISE_FACTOR_C0_LO,
-    RISE_FACTOR_C1,
-    RISE_FACTOR_C1_LO,
-    RISE_FACTOR_C2,
-    RISE_FACTOR_C3,
-    RISE_FACTOR_C4,
-    RISE_FACTOR_C5,
-    RISE_FACTOR_C6,
-    RISE_FACTOR_C7,
-    RISE_FACTOR_C8,
-    RISE_FACTOR_C9,
-    RISE_FACTOR_C10,
-    RISE_FACTOR_C11,
-    RISE_FACTOR_C12,
-    RISE_FACTOR_C13,
-    RISE_FACTOR_C14,
-    RISE_FACTOR_C15,
-    RISE_FACTOR_C16,
-    FALL_FACTOR_CENTRE,
-    FALL_FACTOR_C0,
-    FALL_FACTOR_C0_LO,
-    FALL_FACTOR_C1,
-    FALL_FACTOR_C1_LO,
-    FALL_FACTOR_C2,
-    FALL_FACTOR_C3,
-    FALL_FACTOR_C4,
-    FALL_FACTOR_C5,
-    FALL_FACTOR_C6,
-    FALL_FACTOR_C7,
-    FALL_FACTOR_C8,
-    FALL_FACTOR_C9,
-    FALL_FACTOR_C10,
-    FALL_FACTOR_C11,
-    FALL_FACTOR_C12,
-    FALL_LOG_CENTRE,
-    FALL_LOG_C0,
-    FALL_LOG_C0_LO,
-    FALL_LOG_C1,
-    FALL_LOG_C1_LO,
-    FALL_LOG_C2,
-    FALL_LOG_C3,
-    FALL_LOG_C4,
-    FALL_LOG_C5,
-    FALL_LOG_C6,
-    FALL_LOG_C7,
-    FALL_LOG_C8,
-    FALL_LOG_C9,
-    FALL_LOG_C10,
-    FALL_LOG_C11,
-    FALL_LOG_C12,
-    FALL_LOG_C13,
-    W0_RATIO_CENTRE,
-    W0_RATIO_C0,
-    W0_RATIO_C0_LO,
-    W0_RATIO_C1,
-    W0_RATIO_C1_LO,
-    W0_RATIO_C2,
-    W0_RATIO_C3,
-    W0_RATIO_C4,
-    W0_RATIO_C5,
-    W0_RATIO_C6,
-    W0_RATIO_C7,
-    W0_RATIO_C8,
-    W0_RATIO_C9,
-    W0_RATIO_C10,
-    W0_RATIO_C11,
-    W0_RATIO_C12,
-    W0_RATIO_C13,
-    W0_RATIO_C14,
-    W0_RATIO_C15,
-    WM1_BRANCH_CENTRE,
-    WM1_BRANCH_C0,
-    WM1_BRANCH_C0_LO,
-    WM1_BRANCH_C1,
-    WM1_BRANCH_C1_LO,
-    WM1_BRANCH_C2,
-    WM1_BRANCH_C3,
-    WM1_BRANCH_C4,
-    WM1_BRANCH_C5,
-    WM1_BRANCH_C6,
-    WM1_BRANCH_C7,
-    WM1_BRANCH_C8,
-    WM1_BRANCH_C9,
-    FALL_TAIL_CENTRE,
-    FALL_TAIL_C0,
-    FALL_TAIL_C0_LO,
-    FALL_TAIL_C1,
-    FALL_TAIL_C1_LO,
-    FALL_TAIL_C2,
-    FALL_TAIL_C3,
-    FALL_TAIL_C4,
-    FALL_TAIL_C5,
-    FALL_TAIL_C6,
-    FALL_TAIL_C7,
-    FALL_TAIL_C8,
-    FALL_TAIL_C9,
-    FALL_TAIL_C10,
-    FALL_TAIL_C11,
-    FALL_TAIL_C12,
-    FALL_TAIL_C13,
-    SINE_CENTRE,
-    SINE_C0,
-    SINE_C0_LO,
-    SINE_C1,
-    SINE_C1_LO,
-    SINE_C2,
-    SINE_C3,
-    SINE_C4,
-    SINE_C5,
-    SINE_C6,
-    SINE_C7,
-    SINE_C8,
-    SINE_C9,
-    SINE_C10,
-    ARCTANGENT_CENTRE,
-    ARCTANGENT_C0,
-    ARCTANGENT_C0_LO,
-    ARCTANGENT_C1,
-    ARCTANGENT_C1_LO,
-    ARCTANGENT_C2,
-    ARCTANGENT_C3,
-    ARCTANGENT_C4,
-    ARCTANGENT_C5,
-    ARCTANGENT_C6,
-    ARCTANGENT_C7,
-    ARCTANGENT_C8,
-    ARCTANGENT_C9,
-    ARCTANGENT_C10,
-    ARCTANGENT_C11,
-    ARCTANGENT_C12,
-    ARCTANGENT_C13,
-    ARCTANGENT_TAIL_CENTRE,
-    ARCTANGENT_TAIL_C0,
-    ARCTANGENT_TAIL_C0_LO,
-    ARCTANGENT_TAIL_C1,
-    ARCTANGENT_TAIL_C1_LO,
-    ARCTANGENT_TAIL_C2,
-    ARCTANGENT_TAIL_C3,
-    ARCTANGENT_TAIL_C4,
-    ARCTANGENT_TAIL_C5,
-    ARCTANGENT_TAIL_C6,
-    ARCTANGENT_TAIL_C7,
-    ARCTANGENT_TAIL_C8,
-    ARCTANGENT_TAIL_C9,
-    ARCTANGENT_TAIL_C10,
-    ARCTANGENT_TAIL_C11,
-    ARCTANGENT_TAIL_C12,
-    ARCTANGENT_TAIL_C13,
-    GROWN_LOSS_CENTRE,
-    GROWN_LOSS_C0,
-    GROWN_LOSS_C0_LO,
-    GROWN_LOSS_C1,
-    GROWN_LOSS_C1_LO,
-    GROWN_LOSS_C2,
-    GROWN_LOSS_C3,
-    GROWN_LOSS_C4,
-    GROWN_LOSS_C5,
-    GROWN_LOSS_C6,
-    GROWN_LOSS_C7,
-    GROWN_LOSS_C8,
-    GROWN_LOSS_C9,
-    GROWN_LOSS_C10,
-    GROWN_LOSS_C11,
-    GROWN_LOSS_C12,
-    GROWN_LOSS_C13,
-    GROWN_LOSS_C14,
-    GROWN_LOSS_C15,
-    GROWN_LOSS_C16,
-    GROWN_LOSS_TAIL_CENTRE,
-    GROWN_LOSS_TAIL_C0,
-    GROWN_LOSS_TAIL_C0_LO,
-    GROWN_LOSS_TAIL_C1,
-    GROWN_LOSS_TAIL_C1_LO,
-    GROWN_LOSS_TAIL_C2,
-    GROWN_LOSS_TAIL_C3,
-    GROWN_LOSS_TAIL_C4,
-    GROWN_LOSS_TAIL_C5,
-    GROWN_LOSS_TAIL_C6,
-    GROWN_LOSS_TAIL_C7,
-    GROWN_LOSS_TAIL_C8,
-    GROWN_LOSS_TAIL_C9,
-    GROWN_LOSS_TAIL_C10,
-    GROWN_LOSS_TAIL_C11,
-    GROWN_LOSS_TAIL_C12,
-    GROWN_LOSS_TAIL_C13,
-    GROWN_LOSS_TAIL_C14,
-    GROWN_LOSS_TAIL_C15,
-    GROWN_BALANCE_CENTRE,
-    GROWN_BALANCE_C0,
-    GROWN_BALANCE_C0_LO,
-    GROWN_BALANCE_C1,
-    GROWN_BALANCE_C1_LO,
-    GROWN_BALANCE_C2,
-    GROWN_BALANCE_C3,
-    GROWN_BALANCE_C4,
-    GROWN_BALANCE_C5,
-    GROWN_BALANCE_C6,
-    GROWN_BALANCE_C7,
-    GROWN_BALANCE_C8,
-    GROWN_BALANCE_C9,
-    GROWN_BALANCE_C10,
-    GROWN_BALANCE_C11,
-    GROWN_BALANCE_C12,
-    GROWN_BALANCE_C13,
-    GROWN_BALANCE_C14,
-    GROWN_BALANCE_C15,
-    GROWN_BALANCE_C16,
-    GROWN_BALANCE_C17,
-    GROWN_BALANCE_TAIL_CENTRE,
-    GROWN_BALANCE_TAIL_C0,
-    GROWN_BALANCE_TAIL_C0_LO,
-    GROWN_BALANCE_TAIL_C1,
-    GROWN_BALANCE_TAIL_C1_LO,
-    GROWN_BALANCE_TAIL_C2,
-    GROWN_BALANCE_TAIL_C3,
-    GROWN_BALANCE_TAIL_C4,
-    GROWN_BALANCE_TAIL_C5,
-    GROWN_BALANCE_TAIL_C6,
-    GROWN_BALANCE_TAIL_C7,
-    GROWN_BALANCE_TAIL_C8,
-    GROWN_BALANCE_TAIL_C9,
-    GROWN_BALANCE_TAIL_C10,
-    GROWN_BALANCE_TAIL_C11,
-    GROWN_BALANCE_TAIL_C12,
-    GROWN_BALANCE_TAIL_C13,
-    OMEGA_START_CENTRE,
-    OMEGA_START_C0,
-    OMEGA_START_C0_LO,
-    OMEGA_START_C1,
-    OMEGA_START_C1_LO,
-    OMEGA_START_C2,
-    OMEGA_START_C3,
-    OMEGA_START_C4,
-    OMEGA_START_C5,
-    OMEGA_START_C6,
-    OMEGA_START_C7,
-    OMEGA_START_C8,
-    OMEGA_START_C9,
-    OMEGA_START_C10,
-    OMEGA_START_C11,
-    OMEGA_START_C12,
-    OMEGA_START_C13,
+    PHI1M,
+    PHI1M_TAIL,
+    PHI2M,
+    PHI2M_TAIL,
+    DESCENT_FACTOR,
+    FLIGHT_FACTOR,
+    FLIGHT_TAIL,
+    RANGE_FACTOR,
+    RANGE_TAIL,
+    BEST_SINE,
+    LOG,
+    OMEGA,
+    OMEGA_TAIL,
+    BEST_ANGLE,
+    MAX_RANGE_FACTOR,
+    RISE_FACTOR,
+    FALL_FACTOR,
+    FALL_LOG,
+    W0_RATIO,
+    WM1_BRANCH,
+    FALL_TAIL,
+    SINE,
+    ARCTANGENT,
+    ARCTANGENT_TAIL,
+    GROWN_LOSS,
+    GROWN_LOSS_TAIL,
+    GROWN_BALANCE,
+    GROWN_BALANCE_TAIL,
+    OMEGA_START,
     EXP_MINUS_SIXTEENTH,
     EXP_MINUS_SIXTEENTH_LO,
     EXP_MANTISSA_SIXTEENTH,
@@ -529,2131 +50,9 @@ from ._pieces import (
 )
 
 
-def phi1m_near(x):
-    """(1 - exp(-z))/z, on its pieces."""
-    u = x + 1.75
-    i = op.piece(u, 4095, 50)
-    d = x - PHI1M_CENTRE[i]
-    q15 = PHI1M_C15[i]
-    q14 = q15 * d + PHI1M_C14[i]
-    q13 = q14 * d + PHI1M_C13[i]
-    q12 = q13 * d + PHI1M_C12[i]
-    q11 = q12 * d + PHI1M_C11[i]
-    q10 = q11 * d + PHI1M_C10[i]
-    q9 = q10 * d + PHI1M_C9[i]
-    q8 = q9 * d + PHI1M_C8[i]
-    q7 = q8 * d + PHI1M_C7[i]
-    q6 = q7 * d + PHI1M_C6[i]
-    q5 = q6 * d + PHI1M_C5[i]
-    q4 = q5 * d + PHI1M_C4[i]
-    q3 = q4 * d + PHI1M_C3[i]
-    q2 = q3 * d + PHI1M_C2[i]
-    c1 = PHI1M_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + PHI1M_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = PHI1M_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + PHI1M_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def phi1m_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.75
-    i = op.piece(u, 4095, 50)
-    d = x - PHI1M_CENTRE[i]
-    q15 = PHI1M_C15[i]
-    q14 = q15 * d + PHI1M_C14[i]
-    q13 = q14 * d + PHI1M_C13[i]
-    q12 = q13 * d + PHI1M_C12[i]
-    q11 = q12 * d + PHI1M_C11[i]
-    q10 = q11 * d + PHI1M_C10[i]
-    q9 = q10 * d + PHI1M_C9[i]
-    q8 = q9 * d + PHI1M_C8[i]
-    q7 = q8 * d + PHI1M_C7[i]
-    q6 = q7 * d + PHI1M_C6[i]
-    q5 = q6 * d + PHI1M_C5[i]
-    q4 = q5 * d + PHI1M_C4[i]
-    q3 = q4 * d + PHI1M_C3[i]
-    q2 = q3 * d + PHI1M_C2[i]
-    c1 = PHI1M_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + PHI1M_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = PHI1M_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + PHI1M_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def phi1m_tail_near(x):
-    """phi1m, continued, on its pieces."""
-    u = x + 1.75
-    i = op.piece(u, 4111, 50)
-    d = x - PHI1M_TAIL_CENTRE[i]
-    q14 = PHI1M_TAIL_C14[i]
-    q13 = q14 * d + PHI1M_TAIL_C13[i]
-    q12 = q13 * d + PHI1M_TAIL_C12[i]
-    q11 = q12 * d + PHI1M_TAIL_C11[i]
-    q10 = q11 * d + PHI1M_TAIL_C10[i]
-    q9 = q10 * d + PHI1M_TAIL_C9[i]
-    q8 = q9 * d + PHI1M_TAIL_C8[i]
-    q7 = q8 * d + PHI1M_TAIL_C7[i]
-    q6 = q7 * d + PHI1M_TAIL_C6[i]
-    q5 = q6 * d + PHI1M_TAIL_C5[i]
-    q4 = q5 * d + PHI1M_TAIL_C4[i]
-    q3 = q4 * d + PHI1M_TAIL_C3[i]
-    q2 = q3 * d + PHI1M_TAIL_C2[i]
-    c1 = PHI1M_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + PHI1M_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = PHI1M_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + PHI1M_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def phi1m_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.75
-    i = op.piece(u, 4111, 50)
-    d = x - PHI1M_TAIL_CENTRE[i]
-    q14 = PHI1M_TAIL_C14[i]
-    q13 = q14 * d + PHI1M_TAIL_C13[i]
-    q12 = q13 * d + PHI1M_TAIL_C12[i]
-    q11 = q12 * d + PHI1M_TAIL_C11[i]
-    q10 = q11 * d + PHI1M_TAIL_C10[i]
-    q9 = q10 * d + PHI1M_TAIL_C9[i]
-    q8 = q9 * d + PHI1M_TAIL_C8[i]
-    q7 = q8 * d + PHI1M_TAIL_C7[i]
-    q6 = q7 * d + PHI1M_TAIL_C6[i]
-    q5 = q6 * d + PHI1M_TAIL_C5[i]
-    q4 = q5 * d + PHI1M_TAIL_C4[i]
-    q3 = q4 * d + PHI1M_TAIL_C3[i]
-    q2 = q3 * d + PHI1M_TAIL_C2[i]
-    c1 = PHI1M_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + PHI1M_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = PHI1M_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + PHI1M_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def phi2m_near(x):
-    """(z - 1 + exp(-z))/z^2, on its pieces."""
-    u = x + 1.75
-    i = op.piece(u, 4095, 50)
-    d = x - PHI2M_CENTRE[i]
-    q15 = PHI2M_C15[i]
-    q14 = q15 * d + PHI2M_C14[i]
-    q13 = q14 * d + PHI2M_C13[i]
-    q12 = q13 * d + PHI2M_C12[i]
-    q11 = q12 * d + PHI2M_C11[i]
-    q10 = q11 * d + PHI2M_C10[i]
-    q9 = q10 * d + PHI2M_C9[i]
-    q8 = q9 * d + PHI2M_C8[i]
-    q7 = q8 * d + PHI2M_C7[i]
-    q6 = q7 * d + PHI2M_C6[i]
-    q5 = q6 * d + PHI2M_C5[i]
-    q4 = q5 * d + PHI2M_C4[i]
-    q3 = q4 * d + PHI2M_C3[i]
-    q2 = q3 * d + PHI2M_C2[i]
-    c1 = PHI2M_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + PHI2M_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = PHI2M_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + PHI2M_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def phi2m_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.75
-    i = op.piece(u, 4095, 50)
-    d = x - PHI2M_CENTRE[i]
-    q15 = PHI2M_C15[i]
-    q14 = q15 * d + PHI2M_C14[i]
-    q13 = q14 * d + PHI2M_C13[i]
-    q12 = q13 * d + PHI2M_C12[i]
-    q11 = q12 * d + PHI2M_C11[i]
-    q10 = q11 * d + PHI2M_C10[i]
-    q9 = q10 * d + PHI2M_C9[i]
-    q8 = q9 * d + PHI2M_C8[i]
-    q7 = q8 * d + PHI2M_C7[i]
-    q6 = q7 * d + PHI2M_C6[i]
-    q5 = q6 * d + PHI2M_C5[i]
-    q4 = q5 * d + PHI2M_C4[i]
-    q3 = q4 * d + PHI2M_C3[i]
-    q2 = q3 * d + PHI2M_C2[i]
-    c1 = PHI2M_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + PHI2M_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = PHI2M_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + PHI2M_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def phi2m_tail_near(x):
-    """phi2m, continued, on its pieces."""
-    u = x + 1.75
-    i = op.piece(u, 4111, 50)
-    d = x - PHI2M_TAIL_CENTRE[i]
-    q14 = PHI2M_TAIL_C14[i]
-    q13 = q14 * d + PHI2M_TAIL_C13[i]
-    q12 = q13 * d + PHI2M_TAIL_C12[i]
-    q11 = q12 * d + PHI2M_TAIL_C11[i]
-    q10 = q11 * d + PHI2M_TAIL_C10[i]
-    q9 = q10 * d + PHI2M_TAIL_C9[i]
-    q8 = q9 * d + PHI2M_TAIL_C8[i]
-    q7 = q8 * d + PHI2M_TAIL_C7[i]
-    q6 = q7 * d + PHI2M_TAIL_C6[i]
-    q5 = q6 * d + PHI2M_TAIL_C5[i]
-    q4 = q5 * d + PHI2M_TAIL_C4[i]
-    q3 = q4 * d + PHI2M_TAIL_C3[i]
-    q2 = q3 * d + PHI2M_TAIL_C2[i]
-    c1 = PHI2M_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + PHI2M_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = PHI2M_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + PHI2M_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def phi2m_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.75
-    i = op.piece(u, 4111, 50)
-    d = x - PHI2M_TAIL_CENTRE[i]
-    q14 = PHI2M_TAIL_C14[i]
-    q13 = q14 * d + PHI2M_TAIL_C13[i]
-    q12 = q13 * d + PHI2M_TAIL_C12[i]
-    q11 = q12 * d + PHI2M_TAIL_C11[i]
-    q10 = q11 * d + PHI2M_TAIL_C10[i]
-    q9 = q10 * d + PHI2M_TAIL_C9[i]
-    q8 = q9 * d + PHI2M_TAIL_C8[i]
-    q7 = q8 * d + PHI2M_TAIL_C7[i]
-    q6 = q7 * d + PHI2M_TAIL_C6[i]
-    q5 = q6 * d + PHI2M_TAIL_C5[i]
-    q4 = q5 * d + PHI2M_TAIL_C4[i]
-    q3 = q4 * d + PHI2M_TAIL_C3[i]
-    q2 = q3 * d + PHI2M_TAIL_C2[i]
-    c1 = PHI2M_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + PHI2M_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = PHI2M_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + PHI2M_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def descent_factor_near(x):
-    """tau/p, tau - 1 + exp(-tau) = p^2/2, on its pieces."""
-    u = x + 0.625
-    i = op.piece(u, 4089, 50)
-    d = x - DESCENT_FACTOR_CENTRE[i]
-    q14 = DESCENT_FACTOR_C14[i]
-    q13 = q14 * d + DESCENT_FACTOR_C13[i]
-    q12 = q13 * d + DESCENT_FACTOR_C12[i]
-    q11 = q12 * d + DESCENT_FACTOR_C11[i]
-    q10 = q11 * d + DESCENT_FACTOR_C10[i]
-    q9 = q10 * d + DESCENT_FACTOR_C9[i]
-    q8 = q9 * d + DESCENT_FACTOR_C8[i]
-    q7 = q8 * d + DESCENT_FACTOR_C7[i]
-    q6 = q7 * d + DESCENT_FACTOR_C6[i]
-    q5 = q6 * d + DESCENT_FACTOR_C5[i]
-    q4 = q5 * d + DESCENT_FACTOR_C4[i]
-    q3 = q4 * d + DESCENT_FACTOR_C3[i]
-    q2 = q3 * d + DESCENT_FACTOR_C2[i]
-    c1 = DESCENT_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + DESCENT_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = DESCENT_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + DESCENT_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def descent_factor_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.625
-    i = op.piece(u, 4089, 50)
-    d = x - DESCENT_FACTOR_CENTRE[i]
-    q14 = DESCENT_FACTOR_C14[i]
-    q13 = q14 * d + DESCENT_FACTOR_C13[i]
-    q12 = q13 * d + DESCENT_FACTOR_C12[i]
-    q11 = q12 * d + DESCENT_FACTOR_C11[i]
-    q10 = q11 * d + DESCENT_FACTOR_C10[i]
-    q9 = q10 * d + DESCENT_FACTOR_C9[i]
-    q8 = q9 * d + DESCENT_FACTOR_C8[i]
-    q7 = q8 * d + DESCENT_FACTOR_C7[i]
-    q6 = q7 * d + DESCENT_FACTOR_C6[i]
-    q5 = q6 * d + DESCENT_FACTOR_C5[i]
-    q4 = q5 * d + DESCENT_FACTOR_C4[i]
-    q3 = q4 * d + DESCENT_FACTOR_C3[i]
-    q2 = q3 * d + DESCENT_FACTOR_C2[i]
-    c1 = DESCENT_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + DESCENT_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = DESCENT_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + DESCENT_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def flight_factor_near(x):
-    """T/(2 b), T = (1 + b)(1 - exp(-T)), on its pieces."""
-    u = x + 1.0
-    i = op.piece(u, 4092, 50)
-    d = x - FLIGHT_FACTOR_CENTRE[i]
-    q14 = FLIGHT_FACTOR_C14[i]
-    q13 = q14 * d + FLIGHT_FACTOR_C13[i]
-    q12 = q13 * d + FLIGHT_FACTOR_C12[i]
-    q11 = q12 * d + FLIGHT_FACTOR_C11[i]
-    q10 = q11 * d + FLIGHT_FACTOR_C10[i]
-    q9 = q10 * d + FLIGHT_FACTOR_C9[i]
-    q8 = q9 * d + FLIGHT_FACTOR_C8[i]
-    q7 = q8 * d + FLIGHT_FACTOR_C7[i]
-    q6 = q7 * d + FLIGHT_FACTOR_C6[i]
-    q5 = q6 * d + FLIGHT_FACTOR_C5[i]
-    q4 = q5 * d + FLIGHT_FACTOR_C4[i]
-    q3 = q4 * d + FLIGHT_FACTOR_C3[i]
-    q2 = q3 * d + FLIGHT_FACTOR_C2[i]
-    c1 = FLIGHT_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FLIGHT_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = FLIGHT_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + FLIGHT_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def flight_factor_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.0
-    i = op.piece(u, 4092, 50)
-    d = x - FLIGHT_FACTOR_CENTRE[i]
-    q14 = FLIGHT_FACTOR_C14[i]
-    q13 = q14 * d + FLIGHT_FACTOR_C13[i]
-    q12 = q13 * d + FLIGHT_FACTOR_C12[i]
-    q11 = q12 * d + FLIGHT_FACTOR_C11[i]
-    q10 = q11 * d + FLIGHT_FACTOR_C10[i]
-    q9 = q10 * d + FLIGHT_FACTOR_C9[i]
-    q8 = q9 * d + FLIGHT_FACTOR_C8[i]
-    q7 = q8 * d + FLIGHT_FACTOR_C7[i]
-    q6 = q7 * d + FLIGHT_FACTOR_C6[i]
-    q5 = q6 * d + FLIGHT_FACTOR_C5[i]
-    q4 = q5 * d + FLIGHT_FACTOR_C4[i]
-    q3 = q4 * d + FLIGHT_FACTOR_C3[i]
-    q2 = q3 * d + FLIGHT_FACTOR_C2[i]
-    c1 = FLIGHT_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FLIGHT_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = FLIGHT_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + FLIGHT_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def flight_tail_near(x):
-    """flight_factor, continued, on its pieces."""
-    u = x + 1.0
-    i = op.piece(u, 4108, 50)
-    d = x - FLIGHT_TAIL_CENTRE[i]
-    q14 = FLIGHT_TAIL_C14[i]
-    q13 = q14 * d + FLIGHT_TAIL_C13[i]
-    q12 = q13 * d + FLIGHT_TAIL_C12[i]
-    q11 = q12 * d + FLIGHT_TAIL_C11[i]
-    q10 = q11 * d + FLIGHT_TAIL_C10[i]
-    q9 = q10 * d + FLIGHT_TAIL_C9[i]
-    q8 = q9 * d + FLIGHT_TAIL_C8[i]
-    q7 = q8 * d + FLIGHT_TAIL_C7[i]
-    q6 = q7 * d + FLIGHT_TAIL_C6[i]
-    q5 = q6 * d + FLIGHT_TAIL_C5[i]
-    q4 = q5 * d + FLIGHT_TAIL_C4[i]
-    q3 = q4 * d + FLIGHT_TAIL_C3[i]
-    q2 = q3 * d + FLIGHT_TAIL_C2[i]
-    c1 = FLIGHT_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FLIGHT_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = FLIGHT_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + FLIGHT_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def flight_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.0
-    i = op.piece(u, 4108, 50)
-    d = x - FLIGHT_TAIL_CENTRE[i]
-    q14 = FLIGHT_TAIL_C14[i]
-    q13 = q14 * d + FLIGHT_TAIL_C13[i]
-    q12 = q13 * d + FLIGHT_TAIL_C12[i]
-    q11 = q12 * d + FLIGHT_TAIL_C11[i]
-    q10 = q11 * d + FLIGHT_TAIL_C10[i]
-    q9 = q10 * d + FLIGHT_TAIL_C9[i]
-    q8 = q9 * d + FLIGHT_TAIL_C8[i]
-    q7 = q8 * d + FLIGHT_TAIL_C7[i]
-    q6 = q7 * d + FLIGHT_TAIL_C6[i]
-    q5 = q6 * d + FLIGHT_TAIL_C5[i]
-    q4 = q5 * d + FLIGHT_TAIL_C4[i]
-    q3 = q4 * d + FLIGHT_TAIL_C3[i]
-    q2 = q3 * d + FLIGHT_TAIL_C2[i]
-    c1 = FLIGHT_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FLIGHT_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = FLIGHT_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + FLIGHT_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def range_factor_near(x):
-    """(1 - exp(-T))/(2 b), T = (1 + b)(1 - exp(-T)), on its pieces."""
-    u = x + 0.5
-    i = op.piece(u, 4088, 50)
-    d = x - RANGE_FACTOR_CENTRE[i]
-    q14 = RANGE_FACTOR_C14[i]
-    q13 = q14 * d + RANGE_FACTOR_C13[i]
-    q12 = q13 * d + RANGE_FACTOR_C12[i]
-    q11 = q12 * d + RANGE_FACTOR_C11[i]
-    q10 = q11 * d + RANGE_FACTOR_C10[i]
-    q9 = q10 * d + RANGE_FACTOR_C9[i]
-    q8 = q9 * d + RANGE_FACTOR_C8[i]
-    q7 = q8 * d + RANGE_FACTOR_C7[i]
-    q6 = q7 * d + RANGE_FACTOR_C6[i]
-    q5 = q6 * d + RANGE_FACTOR_C5[i]
-    q4 = q5 * d + RANGE_FACTOR_C4[i]
-    q3 = q4 * d + RANGE_FACTOR_C3[i]
-    q2 = q3 * d + RANGE_FACTOR_C2[i]
-    c1 = RANGE_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + RANGE_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = RANGE_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + RANGE_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def range_factor_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.5
-    i = op.piece(u, 4088, 50)
-    d = x - RANGE_FACTOR_CENTRE[i]
-    q14 = RANGE_FACTOR_C14[i]
-    q13 = q14 * d + RANGE_FACTOR_C13[i]
-    q12 = q13 * d + RANGE_FACTOR_C12[i]
-    q11 = q12 * d + RANGE_FACTOR_C11[i]
-    q10 = q11 * d + RANGE_FACTOR_C10[i]
-    q9 = q10 * d + RANGE_FACTOR_C9[i]
-    q8 = q9 * d + RANGE_FACTOR_C8[i]
-    q7 = q8 * d + RANGE_FACTOR_C7[i]
-    q6 = q7 * d + RANGE_FACTOR_C6[i]
-    q5 = q6 * d + RANGE_FACTOR_C5[i]
-    q4 = q5 * d + RANGE_FACTOR_C4[i]
-    q3 = q4 * d + RANGE_FACTOR_C3[i]
-    q2 = q3 * d + RANGE_FACTOR_C2[i]
-    c1 = RANGE_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + RANGE_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = RANGE_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + RANGE_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def range_tail_near(x):
-    """range_factor, continued, on its pieces."""
-    u = x + 0.5
-    i = op.piece(u, 4104, 50)
-    d = x - RANGE_TAIL_CENTRE[i]
-    q14 = RANGE_TAIL_C14[i]
-    q13 = q14 * d + RANGE_TAIL_C13[i]
-    q12 = q13 * d + RANGE_TAIL_C12[i]
-    q11 = q12 * d + RANGE_TAIL_C11[i]
-    q10 = q11 * d + RANGE_TAIL_C10[i]
-    q9 = q10 * d + RANGE_TAIL_C9[i]
-    q8 = q9 * d + RANGE_TAIL_C8[i]
-    q7 = q8 * d + RANGE_TAIL_C7[i]
-    q6 = q7 * d + RANGE_TAIL_C6[i]
-    q5 = q6 * d + RANGE_TAIL_C5[i]
-    q4 = q5 * d + RANGE_TAIL_C4[i]
-    q3 = q4 * d + RANGE_TAIL_C3[i]
-    q2 = q3 * d + RANGE_TAIL_C2[i]
-    c1 = RANGE_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + RANGE_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = RANGE_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + RANGE_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def range_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.5
-    i = op.piece(u, 4104, 50)
-    d = x - RANGE_TAIL_CENTRE[i]
-    q14 = RANGE_TAIL_C14[i]
-    q13 = q14 * d + RANGE_TAIL_C13[i]
-    q12 = q13 * d + RANGE_TAIL_C12[i]
-    q11 = q12 * d + RANGE_TAIL_C11[i]
-    q10 = q11 * d + RANGE_TAIL_C10[i]
-    q9 = q10 * d + RANGE_TAIL_C9[i]
-    q8 = q9 * d + RANGE_TAIL_C8[i]
-    q7 = q8 * d + RANGE_TAIL_C7[i]
-    q6 = q7 * d + RANGE_TAIL_C6[i]
-    q5 = q6 * d + RANGE_TAIL_C5[i]
-    q4 = q5 * d + RANGE_TAIL_C4[i]
-    q3 = q4 * d + RANGE_TAIL_C3[i]
-    q2 = q3 * d + RANGE_TAIL_C2[i]
-    c1 = RANGE_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + RANGE_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = RANGE_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + RANGE_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def best_sine_near(x):
-    """a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2, on its pieces."""
-    u = x + 1.0
-    i = op.piece(u, 4092, 50)
-    d = x - BEST_SINE_CENTRE[i]
-    q13 = BEST_SINE_C13[i]
-    q12 = q13 * d + BEST_SINE_C12[i]
-    q11 = q12 * d + BEST_SINE_C11[i]
-    q10 = q11 * d + BEST_SINE_C10[i]
-    q9 = q10 * d + BEST_SINE_C9[i]
-    q8 = q9 * d + BEST_SINE_C8[i]
-    q7 = q8 * d + BEST_SINE_C7[i]
-    q6 = q7 * d + BEST_SINE_C6[i]
-    q5 = q6 * d + BEST_SINE_C5[i]
-    q4 = q5 * d + BEST_SINE_C4[i]
-    q3 = q4 * d + BEST_SINE_C3[i]
-    q2 = q3 * d + BEST_SINE_C2[i]
-    c1 = BEST_SINE_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + BEST_SINE_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = BEST_SINE_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + BEST_SINE_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def best_sine_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.0
-    i = op.piece(u, 4092, 50)
-    d = x - BEST_SINE_CENTRE[i]
-    q13 = BEST_SINE_C13[i]
-    q12 = q13 * d + BEST_SINE_C12[i]
-    q11 = q12 * d + BEST_SINE_C11[i]
-    q10 = q11 * d + BEST_SINE_C10[i]
-    q9 = q10 * d + BEST_SINE_C9[i]
-    q8 = q9 * d + BEST_SINE_C8[i]
-    q7 = q8 * d + BEST_SINE_C7[i]
-    q6 = q7 * d + BEST_SINE_C6[i]
-    q5 = q6 * d + BEST_SINE_C5[i]
-    q4 = q5 * d + BEST_SINE_C4[i]
-    q3 = q4 * d + BEST_SINE_C3[i]
-    q2 = q3 * d + BEST_SINE_C2[i]
-    c1 = BEST_SINE_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + BEST_SINE_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = BEST_SINE_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + BEST_SINE_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def log_near(x):
-    """log(m), on its pieces."""
-    u = x + 0.0
-    i = op.piece(u, 16384, 48)
-    d = x - LOG_CENTRE[i]
-    q9 = LOG_C9[i]
-    q8 = q9 * d + LOG_C8[i]
-    q7 = q8 * d + LOG_C7[i]
-    q6 = q7 * d + LOG_C6[i]
-    q5 = q6 * d + LOG_C5[i]
-    q4 = q5 * d + LOG_C4[i]
-    q3 = q4 * d + LOG_C3[i]
-    q2 = q3 * d + LOG_C2[i]
-    c1 = LOG_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + LOG_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = LOG_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + LOG_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def log_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.0
-    i = op.piece(u, 16384, 48)
-    d = x - LOG_CENTRE[i]
-    q9 = LOG_C9[i]
-    q8 = q9 * d + LOG_C8[i]
-    q7 = q8 * d + LOG_C7[i]
-    q6 = q7 * d + LOG_C6[i]
-    q5 = q6 * d + LOG_C5[i]
-    q4 = q5 * d + LOG_C4[i]
-    q3 = q4 * d + LOG_C3[i]
-    q2 = q3 * d + LOG_C2[i]
-    c1 = LOG_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + LOG_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = LOG_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + LOG_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def omega_near(x):
-    """w with w + log(w) = y, on its pieces."""
-    u = x + 0.0
-    i = op.piece(u, 2049, 51)
-    d = x - OMEGA_CENTRE[i]
-    q15 = OMEGA_C15[i]
-    q14 = q15 * d + OMEGA_C14[i]
-    q13 = q14 * d + OMEGA_C13[i]
-    q12 = q13 * d + OMEGA_C12[i]
-    q11 = q12 * d + OMEGA_C11[i]
-    q10 = q11 * d + OMEGA_C10[i]
-    q9 = q10 * d + OMEGA_C9[i]
-    q8 = q9 * d + OMEGA_C8[i]
-    q7 = q8 * d + OMEGA_C7[i]
-    q6 = q7 * d + OMEGA_C6[i]
-    q5 = q6 * d + OMEGA_C5[i]
-    q4 = q5 * d + OMEGA_C4[i]
-    q3 = q4 * d + OMEGA_C3[i]
-    q2 = q3 * d + OMEGA_C2[i]
-    c1 = OMEGA_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + OMEGA_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = OMEGA_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + OMEGA_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def omega_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.0
-    i = op.piece(u, 2049, 51)
-    d = x - OMEGA_CENTRE[i]
-    q15 = OMEGA_C15[i]
-    q14 = q15 * d + OMEGA_C14[i]
-    q13 = q14 * d + OMEGA_C13[i]
-    q12 = q13 * d + OMEGA_C12[i]
-    q11 = q12 * d + OMEGA_C11[i]
-    q10 = q11 * d + OMEGA_C10[i]
-    q9 = q10 * d + OMEGA_C9[i]
-    q8 = q9 * d + OMEGA_C8[i]
-    q7 = q8 * d + OMEGA_C7[i]
-    q6 = q7 * d + OMEGA_C6[i]
-    q5 = q6 * d + OMEGA_C5[i]
-    q4 = q5 * d + OMEGA_C4[i]
-    q3 = q4 * d + OMEGA_C3[i]
-    q2 = q3 * d + OMEGA_C2[i]
-    c1 = OMEGA_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + OMEGA_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = OMEGA_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + OMEGA_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def omega_tail_near(x):
-    """omega, continued, on its pieces."""
-    u = x + 0.0
-    i = op.piece(u, 2064, 51)
-    d = x - OMEGA_TAIL_CENTRE[i]
-    q14 = OMEGA_TAIL_C14[i]
-    q13 = q14 * d + OMEGA_TAIL_C13[i]
-    q12 = q13 * d + OMEGA_TAIL_C12[i]
-    q11 = q12 * d + OMEGA_TAIL_C11[i]
-    q10 = q11 * d + OMEGA_TAIL_C10[i]
-    q9 = q10 * d + OMEGA_TAIL_C9[i]
-    q8 = q9 * d + OMEGA_TAIL_C8[i]
-    q7 = q8 * d + OMEGA_TAIL_C7[i]
-    q6 = q7 * d + OMEGA_TAIL_C6[i]
-    q5 = q6 * d + OMEGA_TAIL_C5[i]
-    q4 = q5 * d + OMEGA_TAIL_C4[i]
-    q3 = q4 * d + OMEGA_TAIL_C3[i]
-    q2 = q3 * d + OMEGA_TAIL_C2[i]
-    c1 = OMEGA_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + OMEGA_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = OMEGA_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + OMEGA_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def omega_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.0
-    i = op.piece(u, 2064, 51)
-    d = x - OMEGA_TAIL_CENTRE[i]
-    q14 = OMEGA_TAIL_C14[i]
-    q13 = q14 * d + OMEGA_TAIL_C13[i]
-    q12 = q13 * d + OMEGA_TAIL_C12[i]
-    q11 = q12 * d + OMEGA_TAIL_C11[i]
-    q10 = q11 * d + OMEGA_TAIL_C10[i]
-    q9 = q10 * d + OMEGA_TAIL_C9[i]
-    q8 = q9 * d + OMEGA_TAIL_C8[i]
-    q7 = q8 * d + OMEGA_TAIL_C7[i]
-    q6 = q7 * d + OMEGA_TAIL_C6[i]
-    q5 = q6 * d + OMEGA_TAIL_C5[i]
-    q4 = q5 * d + OMEGA_TAIL_C4[i]
-    q3 = q4 * d + OMEGA_TAIL_C3[i]
-    q2 = q3 * d + OMEGA_TAIL_C2[i]
-    c1 = OMEGA_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + OMEGA_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = OMEGA_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + OMEGA_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def best_angle_near(x):
-    """asin(a/(exp(s) - 1)), 1 + (s - 1) exp(s) = a^2, on its pieces."""
-    u = x + 1.0
-    i = op.piece(u, 4092, 50)
-    d = x - BEST_ANGLE_CENTRE[i]
-    q13 = BEST_ANGLE_C13[i]
-    q12 = q13 * d + BEST_ANGLE_C12[i]
-    q11 = q12 * d + BEST_ANGLE_C11[i]
-    q10 = q11 * d + BEST_ANGLE_C10[i]
-    q9 = q10 * d + BEST_ANGLE_C9[i]
-    q8 = q9 * d + BEST_ANGLE_C8[i]
-    q7 = q8 * d + BEST_ANGLE_C7[i]
-    q6 = q7 * d + BEST_ANGLE_C6[i]
-    q5 = q6 * d + BEST_ANGLE_C5[i]
-    q4 = q5 * d + BEST_ANGLE_C4[i]
-    q3 = q4 * d + BEST_ANGLE_C3[i]
-    q2 = q3 * d + BEST_ANGLE_C2[i]
-    c1 = BEST_ANGLE_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + BEST_ANGLE_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = BEST_ANGLE_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + BEST_ANGLE_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def best_angle_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.0
-    i = op.piece(u, 4092, 50)
-    d = x - BEST_ANGLE_CENTRE[i]
-    q13 = BEST_ANGLE_C13[i]
-    q12 = q13 * d + BEST_ANGLE_C12[i]
-    q11 = q12 * d + BEST_ANGLE_C11[i]
-    q10 = q11 * d + BEST_ANGLE_C10[i]
-    q9 = q10 * d + BEST_ANGLE_C9[i]
-    q8 = q9 * d + BEST_ANGLE_C8[i]
-    q7 = q8 * d + BEST_ANGLE_C7[i]
-    q6 = q7 * d + BEST_ANGLE_C6[i]
-    q5 = q6 * d + BEST_ANGLE_C5[i]
-    q4 = q5 * d + BEST_ANGLE_C4[i]
-    q3 = q4 * d + BEST_ANGLE_C3[i]
-    q2 = q3 * d + BEST_ANGLE_C2[i]
-    c1 = BEST_ANGLE_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + BEST_ANGLE_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = BEST_ANGLE_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + BEST_ANGLE_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def max_range_factor_near(x):
-    """sqrt(1 - (1 + s) exp(-s))/a, s as in best_sine, on its pieces."""
-    u = x + 0.5
-    i = op.piece(u, 4088, 50)
-    d = x - MAX_RANGE_FACTOR_CENTRE[i]
-    q14 = MAX_RANGE_FACTOR_C14[i]
-    q13 = q14 * d + MAX_RANGE_FACTOR_C13[i]
-    q12 = q13 * d + MAX_RANGE_FACTOR_C12[i]
-    q11 = q12 * d + MAX_RANGE_FACTOR_C11[i]
-    q10 = q11 * d + MAX_RANGE_FACTOR_C10[i]
-    q9 = q10 * d + MAX_RANGE_FACTOR_C9[i]
-    q8 = q9 * d + MAX_RANGE_FACTOR_C8[i]
-    q7 = q8 * d + MAX_RANGE_FACTOR_C7[i]
-    q6 = q7 * d + MAX_RANGE_FACTOR_C6[i]
-    q5 = q6 * d + MAX_RANGE_FACTOR_C5[i]
-    q4 = q5 * d + MAX_RANGE_FACTOR_C4[i]
-    q3 = q4 * d + MAX_RANGE_FACTOR_C3[i]
-    q2 = q3 * d + MAX_RANGE_FACTOR_C2[i]
-    c1 = MAX_RANGE_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + MAX_RANGE_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = MAX_RANGE_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + MAX_RANGE_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def max_range_factor_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.5
-    i = op.piece(u, 4088, 50)
-    d = x - MAX_RANGE_FACTOR_CENTRE[i]
-    q14 = MAX_RANGE_FACTOR_C14[i]
-    q13 = q14 * d + MAX_RANGE_FACTOR_C13[i]
-    q12 = q13 * d + MAX_RANGE_FACTOR_C12[i]
-    q11 = q12 * d + MAX_RANGE_FACTOR_C11[i]
-    q10 = q11 * d + MAX_RANGE_FACTOR_C10[i]
-    q9 = q10 * d + MAX_RANGE_FACTOR_C9[i]
-    q8 = q9 * d + MAX_RANGE_FACTOR_C8[i]
-    q7 = q8 * d + MAX_RANGE_FACTOR_C7[i]
-    q6 = q7 * d + MAX_RANGE_FACTOR_C6[i]
-    q5 = q6 * d + MAX_RANGE_FACTOR_C5[i]
-    q4 = q5 * d + MAX_RANGE_FACTOR_C4[i]
-    q3 = q4 * d + MAX_RANGE_FACTOR_C3[i]
-    q2 = q3 * d + MAX_RANGE_FACTOR_C2[i]
-    c1 = MAX_RANGE_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + MAX_RANGE_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = MAX_RANGE_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + MAX_RANGE_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def rise_factor_near(x):
-    """(1 - exp(-tau))/p, tau - 1 + exp(-tau) = p^2/2, on its pieces."""
-    u = x + 0.625
-    i = op.piece(u, 4089, 50)
-    d = x - RISE_FACTOR_CENTRE[i]
-    q16 = RISE_FACTOR_C16[i]
-    q15 = q16 * d + RISE_FACTOR_C15[i]
-    q14 = q15 * d + RISE_FACTOR_C14[i]
-    q13 = q14 * d + RISE_FACTOR_C13[i]
-    q12 = q13 * d + RISE_FACTOR_C12[i]
-    q11 = q12 * d + RISE_FACTOR_C11[i]
-    q10 = q11 * d + RISE_FACTOR_C10[i]
-    q9 = q10 * d + RISE_FACTOR_C9[i]
-    q8 = q9 * d + RISE_FACTOR_C8[i]
-    q7 = q8 * d + RISE_FACTOR_C7[i]
-    q6 = q7 * d + RISE_FACTOR_C6[i]
-    q5 = q6 * d + RISE_FACTOR_C5[i]
-    q4 = q5 * d + RISE_FACTOR_C4[i]
-    q3 = q4 * d + RISE_FACTOR_C3[i]
-    q2 = q3 * d + RISE_FACTOR_C2[i]
-    c1 = RISE_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + RISE_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = RISE_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + RISE_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def rise_factor_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.625
-    i = op.piece(u, 4089, 50)
-    d = x - RISE_FACTOR_CENTRE[i]
-    q16 = RISE_FACTOR_C16[i]
-    q15 = q16 * d + RISE_FACTOR_C15[i]
-    q14 = q15 * d + RISE_FACTOR_C14[i]
-    q13 = q14 * d + RISE_FACTOR_C13[i]
-    q12 = q13 * d + RISE_FACTOR_C12[i]
-    q11 = q12 * d + RISE_FACTOR_C11[i]
-    q10 = q11 * d + RISE_FACTOR_C10[i]
-    q9 = q10 * d + RISE_FACTOR_C9[i]
-    q8 = q9 * d + RISE_FACTOR_C8[i]
-    q7 = q8 * d + RISE_FACTOR_C7[i]
-    q6 = q7 * d + RISE_FACTOR_C6[i]
-    q5 = q6 * d + RISE_FACTOR_C5[i]
-    q4 = q5 * d + RISE_FACTOR_C4[i]
-    q3 = q4 * d + RISE_FACTOR_C3[i]
-    q2 = q3 * d + RISE_FACTOR_C2[i]
-    c1 = RISE_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + RISE_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = RISE_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + RISE_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def fall_factor_near(x):
-    """sigma/p, sigma - log(1 + sigma) = p^2/2, on its pieces."""
-    u = x + 1.0
-    i = op.piece(u, 4092, 50)
-    d = x - FALL_FACTOR_CENTRE[i]
-    q12 = FALL_FACTOR_C12[i]
-    q11 = q12 * d + FALL_FACTOR_C11[i]
-    q10 = q11 * d + FALL_FACTOR_C10[i]
-    q9 = q10 * d + FALL_FACTOR_C9[i]
-    q8 = q9 * d + FALL_FACTOR_C8[i]
-    q7 = q8 * d + FALL_FACTOR_C7[i]
-    q6 = q7 * d + FALL_FACTOR_C6[i]
-    q5 = q6 * d + FALL_FACTOR_C5[i]
-    q4 = q5 * d + FALL_FACTOR_C4[i]
-    q3 = q4 * d + FALL_FACTOR_C3[i]
-    q2 = q3 * d + FALL_FACTOR_C2[i]
-    c1 = FALL_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FALL_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = FALL_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + FALL_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def fall_factor_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.0
-    i = op.piece(u, 4092, 50)
-    d = x - FALL_FACTOR_CENTRE[i]
-    q12 = FALL_FACTOR_C12[i]
-    q11 = q12 * d + FALL_FACTOR_C11[i]
-    q10 = q11 * d + FALL_FACTOR_C10[i]
-    q9 = q10 * d + FALL_FACTOR_C9[i]
-    q8 = q9 * d + FALL_FACTOR_C8[i]
-    q7 = q8 * d + FALL_FACTOR_C7[i]
-    q6 = q7 * d + FALL_FACTOR_C6[i]
-    q5 = q6 * d + FALL_FACTOR_C5[i]
-    q4 = q5 * d + FALL_FACTOR_C4[i]
-    q3 = q4 * d + FALL_FACTOR_C3[i]
-    q2 = q3 * d + FALL_FACTOR_C2[i]
-    c1 = FALL_FACTOR_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FALL_FACTOR_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = FALL_FACTOR_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + FALL_FACTOR_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def fall_log_near(x):
-    """log(1 + sigma), sigma - log(1 + sigma) = e^y, on its pieces."""
-    u = x + 0.0
-    i = op.piece(u, 4100, 50)
-    d = x - FALL_LOG_CENTRE[i]
-    q13 = FALL_LOG_C13[i]
-    q12 = q13 * d + FALL_LOG_C12[i]
-    q11 = q12 * d + FALL_LOG_C11[i]
-    q10 = q11 * d + FALL_LOG_C10[i]
-    q9 = q10 * d + FALL_LOG_C9[i]
-    q8 = q9 * d + FALL_LOG_C8[i]
-    q7 = q8 * d + FALL_LOG_C7[i]
-    q6 = q7 * d + FALL_LOG_C6[i]
-    q5 = q6 * d + FALL_LOG_C5[i]
-    q4 = q5 * d + FALL_LOG_C4[i]
-    q3 = q4 * d + FALL_LOG_C3[i]
-    q2 = q3 * d + FALL_LOG_C2[i]
-    c1 = FALL_LOG_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FALL_LOG_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = FALL_LOG_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + FALL_LOG_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def fall_log_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.0
-    i = op.piece(u, 4100, 50)
-    d = x - FALL_LOG_CENTRE[i]
-    q13 = FALL_LOG_C13[i]
-    q12 = q13 * d + FALL_LOG_C12[i]
-    q11 = q12 * d + FALL_LOG_C11[i]
-    q10 = q11 * d + FALL_LOG_C10[i]
-    q9 = q10 * d + FALL_LOG_C9[i]
-    q8 = q9 * d + FALL_LOG_C8[i]
-    q7 = q8 * d + FALL_LOG_C7[i]
-    q6 = q7 * d + FALL_LOG_C6[i]
-    q5 = q6 * d + FALL_LOG_C5[i]
-    q4 = q5 * d + FALL_LOG_C4[i]
-    q3 = q4 * d + FALL_LOG_C3[i]
-    q2 = q3 * d + FALL_LOG_C2[i]
-    c1 = FALL_LOG_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FALL_LOG_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = FALL_LOG_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + FALL_LOG_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def w0_ratio_near(x):
-    """W0(x)/x, x = q^2 - 1/e, on its pieces."""
-    u = x + 0.3125
-    i = op.piece(u, 4085, 50)
-    d = x - W0_RATIO_CENTRE[i]
-    q15 = W0_RATIO_C15[i]
-    q14 = q15 * d + W0_RATIO_C14[i]
-    q13 = q14 * d + W0_RATIO_C13[i]
-    q12 = q13 * d + W0_RATIO_C12[i]
-    q11 = q12 * d + W0_RATIO_C11[i]
-    q10 = q11 * d + W0_RATIO_C10[i]
-    q9 = q10 * d + W0_RATIO_C9[i]
-    q8 = q9 * d + W0_RATIO_C8[i]
-    q7 = q8 * d + W0_RATIO_C7[i]
-    q6 = q7 * d + W0_RATIO_C6[i]
-    q5 = q6 * d + W0_RATIO_C5[i]
-    q4 = q5 * d + W0_RATIO_C4[i]
-    q3 = q4 * d + W0_RATIO_C3[i]
-    q2 = q3 * d + W0_RATIO_C2[i]
-    c1 = W0_RATIO_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + W0_RATIO_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = W0_RATIO_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + W0_RATIO_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def w0_ratio_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.3125
-    i = op.piece(u, 4085, 50)
-    d = x - W0_RATIO_CENTRE[i]
-    q15 = W0_RATIO_C15[i]
-    q14 = q15 * d + W0_RATIO_C14[i]
-    q13 = q14 * d + W0_RATIO_C13[i]
-    q12 = q13 * d + W0_RATIO_C12[i]
-    q11 = q12 * d + W0_RATIO_C11[i]
-    q10 = q11 * d + W0_RATIO_C10[i]
-    q9 = q10 * d + W0_RATIO_C9[i]
-    q8 = q9 * d + W0_RATIO_C8[i]
-    q7 = q8 * d + W0_RATIO_C7[i]
-    q6 = q7 * d + W0_RATIO_C6[i]
-    q5 = q6 * d + W0_RATIO_C5[i]
-    q4 = q5 * d + W0_RATIO_C4[i]
-    q3 = q4 * d + W0_RATIO_C3[i]
-    q2 = q3 * d + W0_RATIO_C2[i]
-    c1 = W0_RATIO_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + W0_RATIO_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = W0_RATIO_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + W0_RATIO_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def wm1_branch_near(x):
-    """-W-1(x), x = q^2 - 1/e, on its pieces."""
-    u = x + 1.0
-    i = op.piece(u, 65472, 46)
-    d = x - WM1_BRANCH_CENTRE[i]
-    q9 = WM1_BRANCH_C9[i]
-    q8 = q9 * d + WM1_BRANCH_C8[i]
-    q7 = q8 * d + WM1_BRANCH_C7[i]
-    q6 = q7 * d + WM1_BRANCH_C6[i]
-    q5 = q6 * d + WM1_BRANCH_C5[i]
-    q4 = q5 * d + WM1_BRANCH_C4[i]
-    q3 = q4 * d + WM1_BRANCH_C3[i]
-    q2 = q3 * d + WM1_BRANCH_C2[i]
-    c1 = WM1_BRANCH_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + WM1_BRANCH_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = WM1_BRANCH_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + WM1_BRANCH_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def wm1_branch_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.0
-    i = op.piece(u, 65472, 46)
-    d = x - WM1_BRANCH_CENTRE[i]
-    q9 = WM1_BRANCH_C9[i]
-    q8 = q9 * d + WM1_BRANCH_C8[i]
-    q7 = q8 * d + WM1_BRANCH_C7[i]
-    q6 = q7 * d + WM1_BRANCH_C6[i]
-    q5 = q6 * d + WM1_BRANCH_C5[i]
-    q4 = q5 * d + WM1_BRANCH_C4[i]
-    q3 = q4 * d + WM1_BRANCH_C3[i]
-    q2 = q3 * d + WM1_BRANCH_C2[i]
-    c1 = WM1_BRANCH_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + WM1_BRANCH_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = WM1_BRANCH_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + WM1_BRANCH_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def fall_tail_near(x):
-    """fall_factor, continued, on its pieces."""
-    u = x + 1.0
-    i = op.piece(u, 4107, 50)
-    d = x - FALL_TAIL_CENTRE[i]
-    q13 = FALL_TAIL_C13[i]
-    q12 = q13 * d + FALL_TAIL_C12[i]
-    q11 = q12 * d + FALL_TAIL_C11[i]
-    q10 = q11 * d + FALL_TAIL_C10[i]
-    q9 = q10 * d + FALL_TAIL_C9[i]
-    q8 = q9 * d + FALL_TAIL_C8[i]
-    q7 = q8 * d + FALL_TAIL_C7[i]
-    q6 = q7 * d + FALL_TAIL_C6[i]
-    q5 = q6 * d + FALL_TAIL_C5[i]
-    q4 = q5 * d + FALL_TAIL_C4[i]
-    q3 = q4 * d + FALL_TAIL_C3[i]
-    q2 = q3 * d + FALL_TAIL_C2[i]
-    c1 = FALL_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FALL_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = FALL_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + FALL_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def fall_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 1.0
-    i = op.piece(u, 4107, 50)
-    d = x - FALL_TAIL_CENTRE[i]
-    q13 = FALL_TAIL_C13[i]
-    q12 = q13 * d + FALL_TAIL_C12[i]
-    q11 = q12 * d + FALL_TAIL_C11[i]
-    q10 = q11 * d + FALL_TAIL_C10[i]
-    q9 = q10 * d + FALL_TAIL_C9[i]
-    q8 = q9 * d + FALL_TAIL_C8[i]
-    q7 = q8 * d + FALL_TAIL_C7[i]
-    q6 = q7 * d + FALL_TAIL_C6[i]
-    q5 = q6 * d + FALL_TAIL_C5[i]
-    q4 = q5 * d + FALL_TAIL_C4[i]
-    q3 = q4 * d + FALL_TAIL_C3[i]
-    q2 = q3 * d + FALL_TAIL_C2[i]
-    c1 = FALL_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + FALL_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = FALL_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + FALL_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def sine_near(x):
-    """sin(x), on its pieces."""
-    u = x + 0.125
-    i = op.piece(u, 4080, 50)
-    d = x - SINE_CENTRE[i]
-    q10 = SINE_C10[i]
-    q9 = q10 * d + SINE_C9[i]
-    q8 = q9 * d + SINE_C8[i]
-    q7 = q8 * d + SINE_C7[i]
-    q6 = q7 * d + SINE_C6[i]
-    q5 = q6 * d + SINE_C5[i]
-    q4 = q5 * d + SINE_C4[i]
-    q3 = q4 * d + SINE_C3[i]
-    q2 = q3 * d + SINE_C2[i]
-    c1 = SINE_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + SINE_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = SINE_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + SINE_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def sine_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.125
-    i = op.piece(u, 4080, 50)
-    d = x - SINE_CENTRE[i]
-    q10 = SINE_C10[i]
-    q9 = q10 * d + SINE_C9[i]
-    q8 = q9 * d + SINE_C8[i]
-    q7 = q8 * d + SINE_C7[i]
-    q6 = q7 * d + SINE_C6[i]
-    q5 = q6 * d + SINE_C5[i]
-    q4 = q5 * d + SINE_C4[i]
-    q3 = q4 * d + SINE_C3[i]
-    q2 = q3 * d + SINE_C2[i]
-    c1 = SINE_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + SINE_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = SINE_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + SINE_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def arctangent_near(x):
-    """arctan(x), on its pieces."""
-    u = x + 0.25
-    i = op.piece(u, 4084, 50)
-    d = x - ARCTANGENT_CENTRE[i]
-    q13 = ARCTANGENT_C13[i]
-    q12 = q13 * d + ARCTANGENT_C12[i]
-    q11 = q12 * d + ARCTANGENT_C11[i]
-    q10 = q11 * d + ARCTANGENT_C10[i]
-    q9 = q10 * d + ARCTANGENT_C9[i]
-    q8 = q9 * d + ARCTANGENT_C8[i]
-    q7 = q8 * d + ARCTANGENT_C7[i]
-    q6 = q7 * d + ARCTANGENT_C6[i]
-    q5 = q6 * d + ARCTANGENT_C5[i]
-    q4 = q5 * d + ARCTANGENT_C4[i]
-    q3 = q4 * d + ARCTANGENT_C3[i]
-    q2 = q3 * d + ARCTANGENT_C2[i]
-    c1 = ARCTANGENT_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + ARCTANGENT_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = ARCTANGENT_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + ARCTANGENT_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def arctangent_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.25
-    i = op.piece(u, 4084, 50)
-    d = x - ARCTANGENT_CENTRE[i]
-    q13 = ARCTANGENT_C13[i]
-    q12 = q13 * d + ARCTANGENT_C12[i]
-    q11 = q12 * d + ARCTANGENT_C11[i]
-    q10 = q11 * d + ARCTANGENT_C10[i]
-    q9 = q10 * d + ARCTANGENT_C9[i]
-    q8 = q9 * d + ARCTANGENT_C8[i]
-    q7 = q8 * d + ARCTANGENT_C7[i]
-    q6 = q7 * d + ARCTANGENT_C6[i]
-    q5 = q6 * d + ARCTANGENT_C5[i]
-    q4 = q5 * d + ARCTANGENT_C4[i]
-    q3 = q4 * d + ARCTANGENT_C3[i]
-    q2 = q3 * d + ARCTANGENT_C2[i]
-    c1 = ARCTANGENT_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + ARCTANGENT_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = ARCTANGENT_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + ARCTANGENT_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def arctangent_tail_near(x):
-    """arctan(x), continued, on its pieces."""
-    u = x + 0.25
-    i = op.piece(u, 4100, 50)
-    d = x - ARCTANGENT_TAIL_CENTRE[i]
-    q13 = ARCTANGENT_TAIL_C13[i]
-    q12 = q13 * d + ARCTANGENT_TAIL_C12[i]
-    q11 = q12 * d + ARCTANGENT_TAIL_C11[i]
-    q10 = q11 * d + ARCTANGENT_TAIL_C10[i]
-    q9 = q10 * d + ARCTANGENT_TAIL_C9[i]
-    q8 = q9 * d + ARCTANGENT_TAIL_C8[i]
-    q7 = q8 * d + ARCTANGENT_TAIL_C7[i]
-    q6 = q7 * d + ARCTANGENT_TAIL_C6[i]
-    q5 = q6 * d + ARCTANGENT_TAIL_C5[i]
-    q4 = q5 * d + ARCTANGENT_TAIL_C4[i]
-    q3 = q4 * d + ARCTANGENT_TAIL_C3[i]
-    q2 = q3 * d + ARCTANGENT_TAIL_C2[i]
-    c1 = ARCTANGENT_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + ARCTANGENT_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = ARCTANGENT_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + ARCTANGENT_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def arctangent_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.25
-    i = op.piece(u, 4100, 50)
-    d = x - ARCTANGENT_TAIL_CENTRE[i]
-    q13 = ARCTANGENT_TAIL_C13[i]
-    q12 = q13 * d + ARCTANGENT_TAIL_C12[i]
-    q11 = q12 * d + ARCTANGENT_TAIL_C11[i]
-    q10 = q11 * d + ARCTANGENT_TAIL_C10[i]
-    q9 = q10 * d + ARCTANGENT_TAIL_C9[i]
-    q8 = q9 * d + ARCTANGENT_TAIL_C8[i]
-    q7 = q8 * d + ARCTANGENT_TAIL_C7[i]
-    q6 = q7 * d + ARCTANGENT_TAIL_C6[i]
-    q5 = q6 * d + ARCTANGENT_TAIL_C5[i]
-    q4 = q5 * d + ARCTANGENT_TAIL_C4[i]
-    q3 = q4 * d + ARCTANGENT_TAIL_C3[i]
-    q2 = q3 * d + ARCTANGENT_TAIL_C2[i]
-    c1 = ARCTANGENT_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + ARCTANGENT_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = ARCTANGENT_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + ARCTANGENT_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def grown_loss_near(x):
-    """(1 + b)^2 times the slope of -range_factor, on its pieces."""
-    u = x + 0.5
-    i = op.piece(u, 4088, 50)
-    d = x - GROWN_LOSS_CENTRE[i]
-    q16 = GROWN_LOSS_C16[i]
-    q15 = q16 * d + GROWN_LOSS_C15[i]
-    q14 = q15 * d + GROWN_LOSS_C14[i]
-    q13 = q14 * d + GROWN_LOSS_C13[i]
-    q12 = q13 * d + GROWN_LOSS_C12[i]
-    q11 = q12 * d + GROWN_LOSS_C11[i]
-    q10 = q11 * d + GROWN_LOSS_C10[i]
-    q9 = q10 * d + GROWN_LOSS_C9[i]
-    q8 = q9 * d + GROWN_LOSS_C8[i]
-    q7 = q8 * d + GROWN_LOSS_C7[i]
-    q6 = q7 * d + GROWN_LOSS_C6[i]
-    q5 = q6 * d + GROWN_LOSS_C5[i]
-    q4 = q5 * d + GROWN_LOSS_C4[i]
-    q3 = q4 * d + GROWN_LOSS_C3[i]
-    q2 = q3 * d + GROWN_LOSS_C2[i]
-    c1 = GROWN_LOSS_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + GROWN_LOSS_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = GROWN_LOSS_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + GROWN_LOSS_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def grown_loss_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.5
-    i = op.piece(u, 4088, 50)
-    d = x - GROWN_LOSS_CENTRE[i]
-    q16 = GROWN_LOSS_C16[i]
-    q15 = q16 * d + GROWN_LOSS_C15[i]
-    q14 = q15 * d + GROWN_LOSS_C14[i]
-    q13 = q14 * d + GROWN_LOSS_C13[i]
-    q12 = q13 * d + GROWN_LOSS_C12[i]
-    q11 = q12 * d + GROWN_LOSS_C11[i]
-    q10 = q11 * d + GROWN_LOSS_C10[i]
-    q9 = q10 * d + GROWN_LOSS_C9[i]
-    q8 = q9 * d + GROWN_LOSS_C8[i]
-    q7 = q8 * d + GROWN_LOSS_C7[i]
-    q6 = q7 * d + GROWN_LOSS_C6[i]
-    q5 = q6 * d + GROWN_LOSS_C5[i]
-    q4 = q5 * d + GROWN_LOSS_C4[i]
-    q3 = q4 * d + GROWN_LOSS_C3[i]
-    q2 = q3 * d + GROWN_LOSS_C2[i]
-    c1 = GROWN_LOSS_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + GROWN_LOSS_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = GROWN_LOSS_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + GROWN_LOSS_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def grown_loss_tail_near(x):
-    """grown_loss, continued, on its pieces."""
-    u = x + 0.5
-    i = op.piece(u, 4104, 50)
-    d = x - GROWN_LOSS_TAIL_CENTRE[i]
-    q15 = GROWN_LOSS_TAIL_C15[i]
-    q14 = q15 * d + GROWN_LOSS_TAIL_C14[i]
-    q13 = q14 * d + GROWN_LOSS_TAIL_C13[i]
-    q12 = q13 * d + GROWN_LOSS_TAIL_C12[i]
-    q11 = q12 * d + GROWN_LOSS_TAIL_C11[i]
-    q10 = q11 * d + GROWN_LOSS_TAIL_C10[i]
-    q9 = q10 * d + GROWN_LOSS_TAIL_C9[i]
-    q8 = q9 * d + GROWN_LOSS_TAIL_C8[i]
-    q7 = q8 * d + GROWN_LOSS_TAIL_C7[i]
-    q6 = q7 * d + GROWN_LOSS_TAIL_C6[i]
-    q5 = q6 * d + GROWN_LOSS_TAIL_C5[i]
-    q4 = q5 * d + GROWN_LOSS_TAIL_C4[i]
-    q3 = q4 * d + GROWN_LOSS_TAIL_C3[i]
-    q2 = q3 * d + GROWN_LOSS_TAIL_C2[i]
-    c1 = GROWN_LOSS_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + GROWN_LOSS_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = GROWN_LOSS_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + GROWN_LOSS_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def grown_loss_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.5
-    i = op.piece(u, 4104, 50)
-    d = x - GROWN_LOSS_TAIL_CENTRE[i]
-    q15 = GROWN_LOSS_TAIL_C15[i]
-    q14 = q15 * d + GROWN_LOSS_TAIL_C14[i]
-    q13 = q14 * d + GROWN_LOSS_TAIL_C13[i]
-    q12 = q13 * d + GROWN_LOSS_TAIL_C12[i]
-    q11 = q12 * d + GROWN_LOSS_TAIL_C11[i]
-    q10 = q11 * d + GROWN_LOSS_TAIL_C10[i]
-    q9 = q10 * d + GROWN_LOSS_TAIL_C9[i]
-    q8 = q9 * d + GROWN_LOSS_TAIL_C8[i]
-    q7 = q8 * d + GROWN_LOSS_TAIL_C7[i]
-    q6 = q7 * d + GROWN_LOSS_TAIL_C6[i]
-    q5 = q6 * d + GROWN_LOSS_TAIL_C5[i]
-    q4 = q5 * d + GROWN_LOSS_TAIL_C4[i]
-    q3 = q4 * d + GROWN_LOSS_TAIL_C3[i]
-    q2 = q3 * d + GROWN_LOSS_TAIL_C2[i]
-    c1 = GROWN_LOSS_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + GROWN_LOSS_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = GROWN_LOSS_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + GROWN_LOSS_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def grown_balance_near(x):
-    """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), on its pieces."""
-    u = x + 0.5
-    i = op.piece(u, 4088, 50)
-    d = x - GROWN_BALANCE_CENTRE[i]
-    q17 = GROWN_BALANCE_C17[i]
-    q16 = q17 * d + GROWN_BALANCE_C16[i]
-    q15 = q16 * d + GROWN_BALANCE_C15[i]
-    q14 = q15 * d + GROWN_BALANCE_C14[i]
-    q13 = q14 * d + GROWN_BALANCE_C13[i]
-    q12 = q13 * d + GROWN_BALANCE_C12[i]
-    q11 = q12 * d + GROWN_BALANCE_C11[i]
-    q10 = q11 * d + GROWN_BALANCE_C10[i]
-    q9 = q10 * d + GROWN_BALANCE_C9[i]
-    q8 = q9 * d + GROWN_BALANCE_C8[i]
-    q7 = q8 * d + GROWN_BALANCE_C7[i]
-    q6 = q7 * d + GROWN_BALANCE_C6[i]
-    q5 = q6 * d + GROWN_BALANCE_C5[i]
-    q4 = q5 * d + GROWN_BALANCE_C4[i]
-    q3 = q4 * d + GROWN_BALANCE_C3[i]
-    q2 = q3 * d + GROWN_BALANCE_C2[i]
-    c1 = GROWN_BALANCE_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + GROWN_BALANCE_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = GROWN_BALANCE_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + GROWN_BALANCE_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def grown_balance_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.5
-    i = op.piece(u, 4088, 50)
-    d = x - GROWN_BALANCE_CENTRE[i]
-    q17 = GROWN_BALANCE_C17[i]
-    q16 = q17 * d + GROWN_BALANCE_C16[i]
-    q15 = q16 * d + GROWN_BALANCE_C15[i]
-    q14 = q15 * d + GROWN_BALANCE_C14[i]
-    q13 = q14 * d + GROWN_BALANCE_C13[i]
-    q12 = q13 * d + GROWN_BALANCE_C12[i]
-    q11 = q12 * d + GROWN_BALANCE_C11[i]
-    q10 = q11 * d + GROWN_BALANCE_C10[i]
-    q9 = q10 * d + GROWN_BALANCE_C9[i]
-    q8 = q9 * d + GROWN_BALANCE_C8[i]
-    q7 = q8 * d + GROWN_BALANCE_C7[i]
-    q6 = q7 * d + GROWN_BALANCE_C6[i]
-    q5 = q6 * d + GROWN_BALANCE_C5[i]
-    q4 = q5 * d + GROWN_BALANCE_C4[i]
-    q3 = q4 * d + GROWN_BALANCE_C3[i]
-    q2 = q3 * d + GROWN_BALANCE_C2[i]
-    c1 = GROWN_BALANCE_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + GROWN_BALANCE_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = GROWN_BALANCE_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + GROWN_BALANCE_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def grown_balance_tail_near(x):
-    """grown_balance, continued, on its pieces."""
-    u = x + 0.5
-    i = op.piece(u, 4104, 50)
-    d = x - GROWN_BALANCE_TAIL_CENTRE[i]
-    q13 = GROWN_BALANCE_TAIL_C13[i]
-    q12 = q13 * d + GROWN_BALANCE_TAIL_C12[i]
-    q11 = q12 * d + GROWN_BALANCE_TAIL_C11[i]
-    q10 = q11 * d + GROWN_BALANCE_TAIL_C10[i]
-    q9 = q10 * d + GROWN_BALANCE_TAIL_C9[i]
-    q8 = q9 * d + GROWN_BALANCE_TAIL_C8[i]
-    q7 = q8 * d + GROWN_BALANCE_TAIL_C7[i]
-    q6 = q7 * d + GROWN_BALANCE_TAIL_C6[i]
-    q5 = q6 * d + GROWN_BALANCE_TAIL_C5[i]
-    q4 = q5 * d + GROWN_BALANCE_TAIL_C4[i]
-    q3 = q4 * d + GROWN_BALANCE_TAIL_C3[i]
-    q2 = q3 * d + GROWN_BALANCE_TAIL_C2[i]
-    c1 = GROWN_BALANCE_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + GROWN_BALANCE_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = GROWN_BALANCE_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + GROWN_BALANCE_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def grown_balance_tail_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 0.5
-    i = op.piece(u, 4104, 50)
-    d = x - GROWN_BALANCE_TAIL_CENTRE[i]
-    q13 = GROWN_BALANCE_TAIL_C13[i]
-    q12 = q13 * d + GROWN_BALANCE_TAIL_C12[i]
-    q11 = q12 * d + GROWN_BALANCE_TAIL_C11[i]
-    q10 = q11 * d + GROWN_BALANCE_TAIL_C10[i]
-    q9 = q10 * d + GROWN_BALANCE_TAIL_C9[i]
-    q8 = q9 * d + GROWN_BALANCE_TAIL_C8[i]
-    q7 = q8 * d + GROWN_BALANCE_TAIL_C7[i]
-    q6 = q7 * d + GROWN_BALANCE_TAIL_C6[i]
-    q5 = q6 * d + GROWN_BALANCE_TAIL_C5[i]
-    q4 = q5 * d + GROWN_BALANCE_TAIL_C4[i]
-    q3 = q4 * d + GROWN_BALANCE_TAIL_C3[i]
-    q2 = q3 * d + GROWN_BALANCE_TAIL_C2[i]
-    c1 = GROWN_BALANCE_TAIL_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + GROWN_BALANCE_TAIL_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = GROWN_BALANCE_TAIL_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + GROWN_BALANCE_TAIL_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def omega_start_near(x):
-    """w with w + log(w) = y, y from 0, on its pieces."""
-    u = x + 2.0
-    i = op.piece(u, 4096, 50)
-    d = x - OMEGA_START_CENTRE[i]
-    q13 = OMEGA_START_C13[i]
-    q12 = q13 * d + OMEGA_START_C12[i]
-    q11 = q12 * d + OMEGA_START_C11[i]
-    q10 = q11 * d + OMEGA_START_C10[i]
-    q9 = q10 * d + OMEGA_START_C9[i]
-    q8 = q9 * d + OMEGA_START_C8[i]
-    q7 = q8 * d + OMEGA_START_C7[i]
-    q6 = q7 * d + OMEGA_START_C6[i]
-    q5 = q6 * d + OMEGA_START_C5[i]
-    q4 = q5 * d + OMEGA_START_C4[i]
-    q3 = q4 * d + OMEGA_START_C3[i]
-    q2 = q3 * d + OMEGA_START_C2[i]
-    c1 = OMEGA_START_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + OMEGA_START_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    c0 = OMEGA_START_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_lo + OMEGA_START_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
-def omega_start_near_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x + 2.0
-    i = op.piece(u, 4096, 50)
-    d = x - OMEGA_START_CENTRE[i]
-    q13 = OMEGA_START_C13[i]
-    q12 = q13 * d + OMEGA_START_C12[i]
-    q11 = q12 * d + OMEGA_START_C11[i]
-    q10 = q11 * d + OMEGA_START_C10[i]
-    q9 = q10 * d + OMEGA_START_C9[i]
-    q8 = q9 * d + OMEGA_START_C8[i]
-    q7 = q8 * d + OMEGA_START_C7[i]
-    q6 = q7 * d + OMEGA_START_C6[i]
-    q5 = q6 * d + OMEGA_START_C5[i]
-    q4 = q5 * d + OMEGA_START_C4[i]
-    q3 = q4 * d + OMEGA_START_C3[i]
-    q2 = q3 * d + OMEGA_START_C2[i]
-    c1 = OMEGA_START_C1[i]
-    h = q2 * d
-    t = c1 + h
-    t_rest = (c1 - t) + h
-    t_lo = t_rest + OMEGA_START_C1_LO[i]
-    p = d * t
-    p_rest = op.product_rest(d, t, p)
-    p_lo = d * t_lo + p_rest
-    slope = t + h
-    p_all = x_lo * slope + p_lo
-    c0 = OMEGA_START_C0[i]
-    s = c0 + p
-    s_rest = (c0 - s) + p
-    s_lo = p_all + OMEGA_START_C0_LO[i]
-    e = s_rest + s_lo
-    r = s + e
-    lo = (s - r) + e
-    return r, lo
-
-
 def _phi1m_0(x):
     """(1 - exp(-z))/z, for x in [0.0, 26.25)."""
-    f, f_lo = phi1m_near(x)
+    f, f_lo = near(PHI1M, x)
     r = f
     lo = f_lo
     return r, lo
@@ -2661,7 +60,7 @@ def _phi1m_0(x):
 
 def _phi1m_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = phi1m_near_pair(x, x_lo)
+    f, f_lo = near_pair(PHI1M, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -2669,7 +68,7 @@ def _phi1m_0_pair(x, x_lo):
 
 def _phi1m_1(x):
     """(1 - exp(-z))/z, for x in [26.25, 446.25)."""
-    f, f_lo = phi1m_tail_near(x)
+    f, f_lo = near(PHI1M_TAIL, x)
     r = f
     lo = f_lo
     return r, lo
@@ -2677,7 +76,7 @@ def _phi1m_1(x):
 
 def _phi1m_1_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = phi1m_tail_near_pair(x, x_lo)
+    f, f_lo = near_pair(PHI1M_TAIL, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -2737,7 +136,7 @@ def phi1m_pair(x, x_lo):
 
 def _phi2m_0(x):
     """(z - 1 + exp(-z))/z^2, for x in [0.0, 26.25)."""
-    f, f_lo = phi2m_near(x)
+    f, f_lo = near(PHI2M, x)
     r = f
     lo = f_lo
     return r, lo
@@ -2745,7 +144,7 @@ def _phi2m_0(x):
 
 def _phi2m_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = phi2m_near_pair(x, x_lo)
+    f, f_lo = near_pair(PHI2M, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -2753,7 +152,7 @@ def _phi2m_0_pair(x, x_lo):
 
 def _phi2m_1(x):
     """(z - 1 + exp(-z))/z^2, for x in [26.25, 446.25)."""
-    f, f_lo = phi2m_tail_near(x)
+    f, f_lo = near(PHI2M_TAIL, x)
     r = f
     lo = f_lo
     return r, lo
@@ -2761,7 +160,7 @@ def _phi2m_1(x):
 
 def _phi2m_1_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = phi2m_tail_near_pair(x, x_lo)
+    f, f_lo = near_pair(PHI2M_TAIL, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -2849,7 +248,7 @@ def phi2m_pair(x, x_lo):
 
 def _descent_factor_0(x):
     """tau/p with tau - 1 + exp(-tau) = p^2/2, for x in [0.0, 9.375)."""
-    f, f_lo = descent_factor_near(x)
+    f, f_lo = near(DESCENT_FACTOR, x)
     r = f
     lo = f_lo
     return r, lo
@@ -2857,7 +256,7 @@ def _descent_factor_0(x):
 
 def _descent_factor_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = descent_factor_near_pair(x, x_lo)
+    f, f_lo = near_pair(DESCENT_FACTOR, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -2945,7 +344,7 @@ def descent_factor_pair(x, x_lo):
 
 def _flight_factor_0(x):
     """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [0.0, 15.0)."""
-    f, f_lo = flight_factor_near(x)
+    f, f_lo = near(FLIGHT_FACTOR, x)
     r = f
     lo = f_lo
     return r, lo
@@ -2953,7 +352,7 @@ def _flight_factor_0(x):
 
 def _flight_factor_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = flight_factor_near_pair(x, x_lo)
+    f, f_lo = near_pair(FLIGHT_FACTOR, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -2961,7 +360,7 @@ def _flight_factor_0_pair(x, x_lo):
 
 def _flight_factor_1(x):
     """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [15.0, 255.0)."""
-    f, f_lo = flight_tail_near(x)
+    f, f_lo = near(FLIGHT_TAIL, x)
     r = f
     lo = f_lo
     return r, lo
@@ -2969,7 +368,7 @@ def _flight_factor_1(x):
 
 def _flight_factor_1_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = flight_tail_near_pair(x, x_lo)
+    f, f_lo = near_pair(FLIGHT_TAIL, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -3039,7 +438,7 @@ def flight_factor_pair(x, x_lo):
 
 def _range_factor_0(x):
     """(1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [0.0, 7.5)."""
-    f, f_lo = range_factor_near(x)
+    f, f_lo = near(RANGE_FACTOR, x)
     r = f
     lo = f_lo
     return r, lo
@@ -3047,7 +446,7 @@ def _range_factor_0(x):
 
 def _range_factor_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = range_factor_near_pair(x, x_lo)
+    f, f_lo = near_pair(RANGE_FACTOR, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -3055,7 +454,7 @@ def _range_factor_0_pair(x, x_lo):
 
 def _range_factor_1(x):
     """(1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [7.5, 127.5)."""
-    f, f_lo = range_tail_near(x)
+    f, f_lo = near(RANGE_TAIL, x)
     r = f
     lo = f_lo
     return r, lo
@@ -3063,7 +462,7 @@ def _range_factor_1(x):
 
 def _range_factor_1_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = range_tail_near_pair(x, x_lo)
+    f, f_lo = near_pair(RANGE_TAIL, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -3123,7 +522,7 @@ def range_factor_pair(x, x_lo):
 
 def _best_sine_0(x):
     """a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2, for x in [0.0, 15.0)."""
-    f, f_lo = best_sine_near(x)
+    f, f_lo = near(BEST_SINE, x)
     r = f
     lo = f_lo
     return r, lo
@@ -3131,7 +530,7 @@ def _best_sine_0(x):
 
 def _best_sine_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = best_sine_near_pair(x, x_lo)
+    f, f_lo = near_pair(BEST_SINE, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -3143,7 +542,7 @@ def _best_sine_1(x):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3174,7 +573,7 @@ def _best_sine_1(x):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA, y, y_lo)
     s_s = w + 1.0
     s_rest = op.sum_rest(w, 1.0, s_s)
     s_off = s_rest + w_lo
@@ -3193,7 +592,7 @@ def _best_sine_1(x):
     sine_q = w / d
     sine_e0 = op.product_rest(sine_q, d, w)
     sine_e1 = w_lo - sine_e0
-    sine_e2 = -op.product_rest(sine_q, d_lo, sine_e1)
+    sine_e2 = op.fnma(sine_q, d_lo, sine_e1)
     sine_off = sine_e2 / d
     sine = sine_q + sine_off
     sine_lo = (sine_q - sine) + sine_off
@@ -3209,7 +608,7 @@ def _best_sine_1_pair(x, x_lo):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3242,7 +641,7 @@ def _best_sine_1_pair(x, x_lo):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA, y, y_lo)
     s_s = w + 1.0
     s_rest = op.sum_rest(w, 1.0, s_s)
     s_off = s_rest + w_lo
@@ -3251,7 +650,7 @@ def _best_sine_1_pair(x, x_lo):
     g_q = s / a
     g_e0 = op.product_rest(g_q, a, s)
     g_e1 = s_lo - g_e0
-    g_e2 = -op.product_rest(g_q, a_lo, g_e1)
+    g_e2 = op.fnma(g_q, a_lo, g_e1)
     g_off = g_e2 / a
     g = g_q + g_off
     g_lo = (g_q - g) + g_off
@@ -3263,7 +662,7 @@ def _best_sine_1_pair(x, x_lo):
     sine_q = w / d
     sine_e0 = op.product_rest(sine_q, d, w)
     sine_e1 = w_lo - sine_e0
-    sine_e2 = -op.product_rest(sine_q, d_lo, sine_e1)
+    sine_e2 = op.fnma(sine_q, d_lo, sine_e1)
     sine_off = sine_e2 / d
     sine = sine_q + sine_off
     sine_lo = (sine_q - sine) + sine_off
@@ -3278,7 +677,7 @@ def _best_sine_2(x):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3309,7 +708,7 @@ def _best_sine_2(x):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_tail_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA_TAIL, y, y_lo)
     s_s = w + 1.0
     s_rest = op.sum_rest(w, 1.0, s_s)
     s_off = s_rest + w_lo
@@ -3328,7 +727,7 @@ def _best_sine_2(x):
     sine_q = w / d
     sine_e0 = op.product_rest(sine_q, d, w)
     sine_e1 = w_lo - sine_e0
-    sine_e2 = -op.product_rest(sine_q, d_lo, sine_e1)
+    sine_e2 = op.fnma(sine_q, d_lo, sine_e1)
     sine_off = sine_e2 / d
     sine = sine_q + sine_off
     sine_lo = (sine_q - sine) + sine_off
@@ -3344,7 +743,7 @@ def _best_sine_2_pair(x, x_lo):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3377,7 +776,7 @@ def _best_sine_2_pair(x, x_lo):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_tail_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA_TAIL, y, y_lo)
     s_s = w + 1.0
     s_rest = op.sum_rest(w, 1.0, s_s)
     s_off = s_rest + w_lo
@@ -3386,7 +785,7 @@ def _best_sine_2_pair(x, x_lo):
     g_q = s / a
     g_e0 = op.product_rest(g_q, a, s)
     g_e1 = s_lo - g_e0
-    g_e2 = -op.product_rest(g_q, a_lo, g_e1)
+    g_e2 = op.fnma(g_q, a_lo, g_e1)
     g_off = g_e2 / a
     g = g_q + g_off
     g_lo = (g_q - g) + g_off
@@ -3398,7 +797,7 @@ def _best_sine_2_pair(x, x_lo):
     sine_q = w / d
     sine_e0 = op.product_rest(sine_q, d, w)
     sine_e1 = w_lo - sine_e0
-    sine_e2 = -op.product_rest(sine_q, d_lo, sine_e1)
+    sine_e2 = op.fnma(sine_q, d_lo, sine_e1)
     sine_off = sine_e2 / d
     sine = sine_q + sine_off
     sine_lo = (sine_q - sine) + sine_off
@@ -3447,7 +846,7 @@ def best_sine_pair(x, x_lo):
 
 def _best_angle_0(x):
     """asin of best_sine, for x in [0.0, 15.0)."""
-    f, f_lo = best_angle_near(x)
+    f, f_lo = near(BEST_ANGLE, x)
     r = f
     lo = f_lo
     return r, lo
@@ -3455,7 +854,7 @@ def _best_angle_0(x):
 
 def _best_angle_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = best_angle_near_pair(x, x_lo)
+    f, f_lo = near_pair(BEST_ANGLE, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -3467,7 +866,7 @@ def _best_angle_1(x):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3498,7 +897,7 @@ def _best_angle_1(x):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA, y, y_lo)
     s_s = w + 1.0
     s_rest = op.sum_rest(w, 1.0, s_s)
     s_off = s_rest + w_lo
@@ -3517,7 +916,7 @@ def _best_angle_1(x):
     sine_q = w / d
     sine_e0 = op.product_rest(sine_q, d, w)
     sine_e1 = w_lo - sine_e0
-    sine_e2 = -op.product_rest(sine_q, d_lo, sine_e1)
+    sine_e2 = op.fnma(sine_q, d_lo, sine_e1)
     sine_off = sine_e2 / d
     sine = sine_q + sine_off
     sine_lo = (sine_q - sine) + sine_off
@@ -3552,7 +951,7 @@ def _best_angle_1_pair(x, x_lo):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3585,7 +984,7 @@ def _best_angle_1_pair(x, x_lo):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA, y, y_lo)
     s_s = w + 1.0
     s_rest = op.sum_rest(w, 1.0, s_s)
     s_off = s_rest + w_lo
@@ -3594,7 +993,7 @@ def _best_angle_1_pair(x, x_lo):
     g_q = s / a
     g_e0 = op.product_rest(g_q, a, s)
     g_e1 = s_lo - g_e0
-    g_e2 = -op.product_rest(g_q, a_lo, g_e1)
+    g_e2 = op.fnma(g_q, a_lo, g_e1)
     g_off = g_e2 / a
     g = g_q + g_off
     g_lo = (g_q - g) + g_off
@@ -3606,7 +1005,7 @@ def _best_angle_1_pair(x, x_lo):
     sine_q = w / d
     sine_e0 = op.product_rest(sine_q, d, w)
     sine_e1 = w_lo - sine_e0
-    sine_e2 = -op.product_rest(sine_q, d_lo, sine_e1)
+    sine_e2 = op.fnma(sine_q, d_lo, sine_e1)
     sine_off = sine_e2 / d
     sine = sine_q + sine_off
     sine_lo = (sine_q - sine) + sine_off
@@ -3640,7 +1039,7 @@ def _best_angle_2(x):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3671,7 +1070,7 @@ def _best_angle_2(x):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_tail_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA_TAIL, y, y_lo)
     s_s = w + 1.0
     s_rest = op.sum_rest(w, 1.0, s_s)
     s_off = s_rest + w_lo
@@ -3690,7 +1089,7 @@ def _best_angle_2(x):
     sine_q = w / d
     sine_e0 = op.product_rest(sine_q, d, w)
     sine_e1 = w_lo - sine_e0
-    sine_e2 = -op.product_rest(sine_q, d_lo, sine_e1)
+    sine_e2 = op.fnma(sine_q, d_lo, sine_e1)
     sine_off = sine_e2 / d
     sine = sine_q + sine_off
     sine_lo = (sine_q - sine) + sine_off
@@ -3725,7 +1124,7 @@ def _best_angle_2_pair(x, x_lo):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3758,7 +1157,7 @@ def _best_angle_2_pair(x, x_lo):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_tail_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA_TAIL, y, y_lo)
     s_s = w + 1.0
     s_rest = op.sum_rest(w, 1.0, s_s)
     s_off = s_rest + w_lo
@@ -3767,7 +1166,7 @@ def _best_angle_2_pair(x, x_lo):
     g_q = s / a
     g_e0 = op.product_rest(g_q, a, s)
     g_e1 = s_lo - g_e0
-    g_e2 = -op.product_rest(g_q, a_lo, g_e1)
+    g_e2 = op.fnma(g_q, a_lo, g_e1)
     g_off = g_e2 / a
     g = g_q + g_off
     g_lo = (g_q - g) + g_off
@@ -3779,7 +1178,7 @@ def _best_angle_2_pair(x, x_lo):
     sine_q = w / d
     sine_e0 = op.product_rest(sine_q, d, w)
     sine_e1 = w_lo - sine_e0
-    sine_e2 = -op.product_rest(sine_q, d_lo, sine_e1)
+    sine_e2 = op.fnma(sine_q, d_lo, sine_e1)
     sine_off = sine_e2 / d
     sine = sine_q + sine_off
     sine_lo = (sine_q - sine) + sine_off
@@ -3847,7 +1246,7 @@ def best_angle_pair(x, x_lo):
 
 def _max_range_factor_0(x):
     """sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, for x in [0.0, 7.5)."""
-    f, f_lo = max_range_factor_near(x)
+    f, f_lo = near(MAX_RANGE_FACTOR, x)
     r = f
     lo = f_lo
     return r, lo
@@ -3855,7 +1254,7 @@ def _max_range_factor_0(x):
 
 def _max_range_factor_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = max_range_factor_near_pair(x, x_lo)
+    f, f_lo = near_pair(MAX_RANGE_FACTOR, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -3867,7 +1266,7 @@ def _max_range_factor_1(x):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3898,7 +1297,7 @@ def _max_range_factor_1(x):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA, y, y_lo)
     t_s = w + 2.0
     t_rest = op.sum_rest(w, 2.0, t_s)
     t_off = t_rest + w_lo
@@ -3923,7 +1322,7 @@ def _max_range_factor_1(x):
     v_q = n / d
     v_e0 = op.product_rest(v_q, d, n)
     v_e1 = n_lo - v_e0
-    v_e2 = -op.product_rest(v_q, d_lo, v_e1)
+    v_e2 = op.fnma(v_q, d_lo, v_e1)
     v_off = v_e2 / d
     v = v_q + v_off
     v_lo = (v_q - v) + v_off
@@ -3957,7 +1356,7 @@ def _max_range_factor_1_pair(x, x_lo):
     half_k0 = op.exponent(a)
     half_k = half_k0 - 0.0
     half_m = op.mantissa(a)
-    half_part, half_part_lo = log_near(half_m)
+    half_part, half_part_lo = near(LOG, half_m)
     half_whole = half_k * 0.6931471805598903
     half_s = half_whole + half_part
     half_rest = op.sum_rest(half_whole, half_part, half_s)
@@ -3990,7 +1389,7 @@ def _max_range_factor_1_pair(x, x_lo):
     off = c * z + less_lo
     y = less + off
     y_lo = (less - y) + off
-    w, w_lo = omega_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA, y, y_lo)
     t_s = w + 2.0
     t_rest = op.sum_rest(w, 2.0, t_s)
     t_off = t_rest + w_lo
@@ -4019,7 +1418,7 @@ def _max_range_factor_1_pair(x, x_lo):
     v_q = n / d
     v_e0 = op.product_rest(v_q, d, n)
     v_e1 = n_lo - v_e0
-    v_e2 = -op.product_rest(v_q, d_lo, v_e1)
+    v_e2 = op.fnma(v_q, d_lo, v_e1)
     v_off = v_e2 / d
     v = v_q + v_off
     v_lo = (v_q - v) + v_off
@@ -4038,7 +1437,7 @@ def _max_range_factor_1_pair(x, x_lo):
     factor_q = top / a
     factor_e0 = op.product_rest(factor_q, a, top)
     factor_e1 = top_lo - factor_e0
-    factor_e2 = -op.product_rest(factor_q, a_lo, factor_e1)
+    factor_e2 = op.fnma(factor_q, a_lo, factor_e1)
     factor_off = factor_e2 / a
     factor = factor_q + factor_off
     factor_lo = (factor_q - factor) + factor_off
@@ -4119,7 +1518,7 @@ def _w0_offset_0(x):
     p_e0 = op.product_rest(p, p, twice)
     p_twice = p * (-2.0) + (-9.332636185032189e-302)
     p_lo = p_e0 / p_twice
-    f, f_lo = rise_factor_near_pair(p, p_lo)
+    f, f_lo = near_pair(RISE_FACTOR, p, p_lo)
     w_h = p * f
     w_e0 = op.product_rest(p, f, w_h)
     w_e1 = p * f_lo + w_e0
@@ -4140,7 +1539,7 @@ def _w0_offset_0_pair(x, x_lo):
     p_e1 = p_e0 - twice_lo
     p_twice = p * (-2.0) + (-9.332636185032189e-302)
     p_lo = p_e1 / p_twice
-    f, f_lo = rise_factor_near_pair(p, p_lo)
+    f, f_lo = near_pair(RISE_FACTOR, p, p_lo)
     w_h = p * f
     w_e0 = op.product_rest(p, f, w_h)
     w_e1 = p * f_lo + w_e0
@@ -4226,7 +1625,7 @@ def _wm1_offset_0(x):
     p_e0 = op.product_rest(p, p, twice)
     p_twice = p * (-2.0) + (-9.332636185032189e-302)
     p_lo = p_e0 / p_twice
-    f, f_lo = fall_factor_near_pair(p, p_lo)
+    f, f_lo = near_pair(FALL_FACTOR, p, p_lo)
     w_h = p * f
     w_e0 = op.product_rest(p, f, w_h)
     w_e1 = p * f_lo + w_e0
@@ -4247,7 +1646,7 @@ def _wm1_offset_0_pair(x, x_lo):
     p_e1 = p_e0 - twice_lo
     p_twice = p * (-2.0) + (-9.332636185032189e-302)
     p_lo = p_e1 / p_twice
-    f, f_lo = fall_factor_near_pair(p, p_lo)
+    f, f_lo = near_pair(FALL_FACTOR, p, p_lo)
     w_h = p * f
     w_e0 = op.product_rest(p, f, w_h)
     w_e1 = p * f_lo + w_e0
@@ -4295,7 +1694,7 @@ def _wm1_offset_2(x):
     y_k0 = op.exponent(finite)
     y_k = y_k0 - 0.0
     y_m = op.mantissa(finite)
-    y_part, y_part_lo = log_near(y_m)
+    y_part, y_part_lo = near(LOG, y_m)
     y_whole = y_k * 0.6931471805598903
     y_s = y_whole + y_part
     y_rest = op.sum_rest(y_whole, y_part, y_s)
@@ -4305,7 +1704,7 @@ def _wm1_offset_2(x):
     y_lo = (y_s - y) + y_e
     bounded = np.minimum(y, 60.0)
     beyond = y - bounded
-    f, f_lo = fall_log_near_pair(bounded, y_lo)
+    f, f_lo = near_pair(FALL_LOG, bounded, y_lo)
     log = f + beyond
     w_s = finite + log
     w_rest = (finite - w_s) + log
@@ -4324,7 +1723,7 @@ def _wm1_offset_2_pair(x, x_lo):
     y_k0 = op.exponent(finite)
     y_k = y_k0 - 0.0
     y_m = op.mantissa(finite)
-    y_part, y_part_lo = log_near(y_m)
+    y_part, y_part_lo = near(LOG, y_m)
     y_whole = y_k * 0.6931471805598903
     y_s = y_whole + y_part
     y_rest = op.sum_rest(y_whole, y_part, y_s)
@@ -4336,7 +1735,7 @@ def _wm1_offset_2_pair(x, x_lo):
     y_lo = (y_s - y) + y_all
     bounded = np.minimum(y, 60.0)
     beyond = y - bounded
-    f, f_lo = fall_log_near_pair(bounded, y_lo)
+    f, f_lo = near_pair(FALL_LOG, bounded, y_lo)
     log = f + beyond
     f_all = f_lo + x_lo
     w_s = finite + log
@@ -4399,7 +1798,7 @@ def _w0_0(x):
     q_e1 = q_e0 - delta_lo
     q_twice = q * (-2.0) + (-9.332636185032189e-302)
     q_lo = q_e1 / q_twice
-    h, h_lo = w0_ratio_near_pair(q, q_lo)
+    h, h_lo = near_pair(W0_RATIO, q, q_lo)
     distance = np.abs(x)
     felt = distance >= 5.527147875260445e-76
     y = np.where(felt, x, 0.0)
@@ -4438,7 +1837,7 @@ def _w0_0_pair(x, x_lo):
     q_e1 = q_e0 - delta_lo
     q_twice = q * (-2.0) + (-9.332636185032189e-302)
     q_lo = q_e1 / q_twice
-    h, h_lo = w0_ratio_near_pair(q, q_lo)
+    h, h_lo = near_pair(W0_RATIO, q, q_lo)
     distance = np.abs(x)
     felt = distance >= 5.527147875260445e-76
     y = np.where(felt, x, 0.0)
@@ -4470,7 +1869,7 @@ def _w0_1(x):
     y_k0 = op.exponent(x)
     y_k = y_k0 - 0.0
     y_m = op.mantissa(x)
-    y_part, y_part_lo = log_near(y_m)
+    y_part, y_part_lo = near(LOG, y_m)
     y_whole = y_k * 0.6931471805598903
     y_s = y_whole + y_part
     y_rest = op.sum_rest(y_whole, y_part, y_s)
@@ -4478,7 +1877,7 @@ def _w0_1(x):
     y_e = y_rest + y_off
     y = y_s + y_e
     y_lo = (y_s - y) + y_e
-    w, w_lo = omega_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA, y, y_lo)
     r = w
     lo = w_lo
     return r, lo
@@ -4489,7 +1888,7 @@ def _w0_1_pair(x, x_lo):
     y_k0 = op.exponent(x)
     y_k = y_k0 - 0.0
     y_m = op.mantissa(x)
-    y_part, y_part_lo = log_near(y_m)
+    y_part, y_part_lo = near(LOG, y_m)
     y_whole = y_k * 0.6931471805598903
     y_s = y_whole + y_part
     y_rest = op.sum_rest(y_whole, y_part, y_s)
@@ -4499,7 +1898,7 @@ def _w0_1_pair(x, x_lo):
     y_all = y_e + y_ratio
     y = y_s + y_all
     y_lo = (y_s - y) + y_all
-    w, w_lo = omega_near_pair(y, y_lo)
+    w, w_lo = near_pair(OMEGA, y, y_lo)
     r = w
     lo = w_lo
     return r, lo
@@ -4549,7 +1948,7 @@ def _wm1_0(x):
     y_k0 = op.exponent(m)
     y_k = y_k0 - 0.0
     y_m = op.mantissa(m)
-    y_part, y_part_lo = log_near(y_m)
+    y_part, y_part_lo = near(LOG, y_m)
     y_whole = y_k * 0.6931471805598903
     y_s = y_whole + y_part
     y_rest = op.sum_rest(y_whole, y_part, y_s)
@@ -4569,7 +1968,7 @@ def _wm1_0(x):
     p_e1 = p_e0 - twice_lo
     p_twice = p * (-2.0) + (-9.332636185032189e-302)
     p_lo = p_e1 / p_twice
-    f, f_lo = fall_factor_near_pair(p, p_lo)
+    f, f_lo = near_pair(FALL_FACTOR, p, p_lo)
     w_h = p * f
     w_e0 = op.product_rest(p, f, w_h)
     w_e1 = p * f_lo + w_e0
@@ -4594,7 +1993,7 @@ def _wm1_0_pair(x, x_lo):
     y_k0 = op.exponent(m)
     y_k = y_k0 - 0.0
     y_m = op.mantissa(m)
-    y_part, y_part_lo = log_near(y_m)
+    y_part, y_part_lo = near(LOG, y_m)
     y_whole = y_k * 0.6931471805598903
     y_s = y_whole + y_part
     y_rest = op.sum_rest(y_whole, y_part, y_s)
@@ -4616,7 +2015,7 @@ def _wm1_0_pair(x, x_lo):
     p_e1 = p_e0 - twice_lo
     p_twice = p * (-2.0) + (-9.332636185032189e-302)
     p_lo = p_e1 / p_twice
-    f, f_lo = fall_factor_near_pair(p, p_lo)
+    f, f_lo = near_pair(FALL_FACTOR, p, p_lo)
     w_h = p * f
     w_e0 = op.product_rest(p, f, w_h)
     w_e1 = p * f_lo + w_e0
@@ -4645,7 +2044,7 @@ def _wm1_1(x):
     q_e1 = q_e0 - delta_lo
     q_twice = q * (-2.0) + (-9.332636185032189e-302)
     q_lo = q_e1 / q_twice
-    w, w_lo = wm1_branch_near_pair(q, q_lo)
+    w, w_lo = near_pair(WM1_BRANCH, q, q_lo)
     r = 0.0 - w
     lo = 0.0 - w_lo
     return r, lo
@@ -4664,7 +2063,7 @@ def _wm1_1_pair(x, x_lo):
     q_e1 = q_e0 - delta_lo
     q_twice = q * (-2.0) + (-9.332636185032189e-302)
     q_lo = q_e1 / q_twice
-    w, w_lo = wm1_branch_near_pair(q, q_lo)
+    w, w_lo = near_pair(WM1_BRANCH, q, q_lo)
     r = 0.0 - w
     lo = 0.0 - w_lo
     return r, lo
@@ -4677,7 +2076,7 @@ def _wm1_2(x):
     y_k0 = op.exponent(m)
     y_k = y_k0 - 64.0
     y_m = op.mantissa(m)
-    y_part, y_part_lo = log_near(y_m)
+    y_part, y_part_lo = near(LOG, y_m)
     y_whole = y_k * 0.6931471805598903
     y_s = y_whole + y_part
     y_rest = op.sum_rest(y_whole, y_part, y_s)
@@ -4697,7 +2096,7 @@ def _wm1_2(x):
     p_e1 = p_e0 - twice_lo
     p_twice = p * (-2.0) + (-9.332636185032189e-302)
     p_lo = p_e1 / p_twice
-    f, f_lo = fall_tail_near_pair(p, p_lo)
+    f, f_lo = near_pair(FALL_TAIL, p, p_lo)
     w_h = p * f
     w_e0 = op.product_rest(p, f, w_h)
     w_e1 = p * f_lo + w_e0
@@ -4722,7 +2121,7 @@ def _wm1_2_pair(x, x_lo):
     y_k0 = op.exponent(m)
     y_k = y_k0 - 64.0
     y_m = op.mantissa(m)
-    y_part, y_part_lo = log_near(y_m)
+    y_part, y_part_lo = near(LOG, y_m)
     y_whole = y_k * 0.6931471805598903
     y_s = y_whole + y_part
     y_rest = op.sum_rest(y_whole, y_part, y_s)
@@ -4744,7 +2143,7 @@ def _wm1_2_pair(x, x_lo):
     p_e1 = p_e0 - twice_lo
     p_twice = p * (-2.0) + (-9.332636185032189e-302)
     p_lo = p_e1 / p_twice
-    f, f_lo = fall_tail_near_pair(p, p_lo)
+    f, f_lo = near_pair(FALL_TAIL, p, p_lo)
     w_h = p * f
     w_e0 = op.product_rest(p, f, w_h)
     w_e1 = p * f_lo + w_e0
@@ -4797,86 +2196,6 @@ def wm1(x):
 def wm1_pair(x, x_lo):
     """The same of x + x_lo, abs(x_lo) no more than half an ulp of x."""
     return op.paired(_WM1, x, x_lo)
-
-
-def _exp_minus_0(x):
-    """exp(-z), for x in [0.0, 640.0)."""
-    u = x * 23.083120654223414 + 6755399441055744.0
-    k = u - 6755399441055744.0
-    j = op.low_index(u)
-    power = op.power(u)
-    t_hi = op.product_rest(k, 0.04332169878489367, x)
-    t = k * 1.0291218489310676e-13 + t_hi
-    t_off = t_hi - t
-    t_lo = k * 1.0291218489310676e-13 + t_off
-    felt = x >= 5.527147875260445e-76
-    base = np.where(felt, t, 0.0)
-    square = base * base
-    q8 = 2.48015873015873e-05
-    q7 = q8 * t + 0.0001984126984126984
-    q6 = q7 * t + 0.001388888888888889
-    q5 = q6 * t + 0.008333333333333333
-    q4 = q5 * t + 0.041666666666666664
-    q3 = q4 * t + 0.16666666666666666
-    q2 = q3 * t + 0.5
-    h = square * q2 + t_lo
-    c = EXP_MINUS_SIXTEENTH[j]
-    c_lo = EXP_MINUS_SIXTEENTH_LO[j]
-    p = c * t
-    p_rest = op.product_rest(c, t, p)
-    p_lo = c * h + p_rest
-    s = c + p
-    s_rest = (c - s) + p
-    c_rest = c_lo * t + c_lo
-    s_lo = p_lo + c_rest
-    e = s_rest + s_lo
-    hi = s + e
-    hi_lo = (s - hi) + e
-    r = hi * power
-    lo = hi_lo * power
-    return r, lo
-
-
-def _exp_minus_0_pair(x, x_lo):
-    """The same at x + x_lo."""
-    u = x * 23.083120654223414 + 6755399441055744.0
-    k = u - 6755399441055744.0
-    j = op.low_index(u)
-    power = op.power(u)
-    t_hi = op.product_rest(k, 0.04332169878489367, x)
-    t = k * 1.0291218489310676e-13 + t_hi
-    t_off = t_hi - t
-    t_lo = k * 1.0291218489310676e-13 + t_off
-    minus = x_lo * (-1.0)
-    v = t + minus
-    v_rest = op.sum_rest(t, minus, v)
-    v_lo = t_lo + v_rest
-    felt = x >= 5.527147875260445e-76
-    base = np.where(felt, v, 0.0)
-    square = base * base
-    q8 = 2.48015873015873e-05
-    q7 = q8 * v + 0.0001984126984126984
-    q6 = q7 * v + 0.001388888888888889
-    q5 = q6 * v + 0.008333333333333333
-    q4 = q5 * v + 0.041666666666666664
-    q3 = q4 * v + 0.16666666666666666
-    q2 = q3 * v + 0.5
-    h = square * q2 + v_lo
-    c = EXP_MINUS_SIXTEENTH[j]
-    c_lo = EXP_MINUS_SIXTEENTH_LO[j]
-    p = c * v
-    p_rest = op.product_rest(c, v, p)
-    p_lo = c * h + p_rest
-    s = c + p
-    s_rest = (c - s) + p
-    c_rest = c_lo * v + c_lo
-    s_lo = p_lo + c_rest
-    e = s_rest + s_lo
-    hi = s + e
-    hi_lo = (s - hi) + e
-    r = hi * power
-    lo = hi_lo * power
-    return r, lo
 
 
 def _exp_minus_1(x):
@@ -5009,7 +2328,7 @@ _EXP_MINUS = {
     "parity": "",
     "pole": None,
     "forms": (
-        (-inf, 640.0, _exp_minus_0, _exp_minus_0_pair),
+        (-inf, 640.0, fading, fading),
         (640.0, 745.25, _exp_minus_1, _exp_minus_1_pair),
         (745.25, inf, _exp_minus_2, _exp_minus_2_pair),
     ),
@@ -5028,22 +2347,17 @@ def exp_minus_pair(x, x_lo):
 
 def _sin_0(x):
     """sin(x), for x in [0.0, 1.5707963267948968)."""
-    felt = x >= 5.527147875260445e-76
-    y = np.where(felt, x, 5.527147875260445e-76)
-    f, f_lo = sine_near(y)
-    r = np.where(felt, f, x)
-    lo = np.where(felt, f_lo, 0.0)
+    f, f_lo = near(SINE, x)
+    r = f
+    lo = f_lo
     return r, lo
 
 
 def _sin_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    felt = x >= 5.527147875260445e-76
-    y = np.where(felt, x, 5.527147875260445e-76)
-    y_lo = np.where(felt, x_lo, 0.0)
-    f, f_lo = sine_near_pair(y, y_lo)
-    r = np.where(felt, f, x)
-    lo = np.where(felt, f_lo, x_lo)
+    f, f_lo = near_pair(SINE, x, x_lo)
+    r = f
+    lo = f_lo
     return r, lo
 
 
@@ -5077,7 +2391,7 @@ def _cos_0(x):
     y = y0 + y_off
     y_rest = (y0 - y) + y_off
     y_lo = y_rest + (-1.4973849048591698e-33)
-    f, f_lo = sine_near_pair(y, y_lo)
+    f, f_lo = near_pair(SINE, y, y_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -5096,7 +2410,7 @@ def _cos_0_pair(x, x_lo):
     y = y0 + y_off
     y_rest = (y0 - y) + y_off
     y_lo = y_rest + third
-    f, f_lo = sine_near_pair(y, y_lo)
+    f, f_lo = near_pair(SINE, y, y_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -5125,35 +2439,30 @@ def cos_pair(x, x_lo):
 
 def _arctan_0(x):
     """arctan(x), for x in [0.0, 3.75)."""
-    felt = x >= 5.527147875260445e-76
-    y = np.where(felt, x, 5.527147875260445e-76)
-    f, f_lo = arctangent_near(y)
-    r = np.where(felt, f, x)
-    lo = np.where(felt, f_lo, 0.0)
+    f, f_lo = near(ARCTANGENT, x)
+    r = f
+    lo = f_lo
     return r, lo
 
 
 def _arctan_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    felt = x >= 5.527147875260445e-76
-    y = np.where(felt, x, 5.527147875260445e-76)
-    y_lo = np.where(felt, x_lo, 0.0)
-    f, f_lo = arctangent_near_pair(y, y_lo)
-    r = np.where(felt, f, x)
-    lo = np.where(felt, f_lo, x_lo)
+    f, f_lo = near_pair(ARCTANGENT, x, x_lo)
+    r = f
+    lo = f_lo
     return r, lo
 
 
 def _arctan_1(x):
     """arctan(x), for x in [3.75, 63.75)."""
-    r, r_lo = arctangent_tail_near(x)
+    r, r_lo = near(ARCTANGENT_TAIL, x)
     lo = r_lo
     return r, lo
 
 
 def _arctan_1_pair(x, x_lo):
     """The same at x + x_lo."""
-    r, r_lo = arctangent_tail_near_pair(x, x_lo)
+    r, r_lo = near_pair(ARCTANGENT_TAIL, x, x_lo)
     lo = r_lo
     return r, lo
 
@@ -5398,7 +2707,7 @@ def exp_exponent_pair(x, x_lo):
 
 def _range_loss_0(x):
     """the slope of range_factor, negative, for x in [0.0, 7.5)."""
-    g, g_lo = grown_loss_near(x)
+    g, g_lo = near(GROWN_LOSS, x)
     more_s = x + 1.0
     more_rest = op.sum_rest(x, 1.0, more_s)
     more = more_s + more_rest
@@ -5412,7 +2721,7 @@ def _range_loss_0(x):
     f_q = g / square
     f_e0 = op.product_rest(f_q, square, g)
     f_e1 = g_lo - f_e0
-    f_e2 = -op.product_rest(f_q, square_lo, f_e1)
+    f_e2 = op.fnma(f_q, square_lo, f_e1)
     f_off = f_e2 / square
     f = f_q + f_off
     f_lo = (f_q - f) + f_off
@@ -5423,7 +2732,7 @@ def _range_loss_0(x):
 
 def _range_loss_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    g, g_lo = grown_loss_near_pair(x, x_lo)
+    g, g_lo = near_pair(GROWN_LOSS, x, x_lo)
     more_s = x + 1.0
     more_rest = op.sum_rest(x, 1.0, more_s)
     more_off = more_rest + x_lo
@@ -5438,7 +2747,7 @@ def _range_loss_0_pair(x, x_lo):
     f_q = g / square
     f_e0 = op.product_rest(f_q, square, g)
     f_e1 = g_lo - f_e0
-    f_e2 = -op.product_rest(f_q, square_lo, f_e1)
+    f_e2 = op.fnma(f_q, square_lo, f_e1)
     f_off = f_e2 / square
     f = f_q + f_off
     f_lo = (f_q - f) + f_off
@@ -5449,7 +2758,7 @@ def _range_loss_0_pair(x, x_lo):
 
 def _range_loss_1(x):
     """the slope of range_factor, negative, for x in [7.5, 127.5)."""
-    g, g_lo = grown_loss_tail_near(x)
+    g, g_lo = near(GROWN_LOSS_TAIL, x)
     more_s = x + 1.0
     more_rest = op.sum_rest(x, 1.0, more_s)
     more = more_s + more_rest
@@ -5463,7 +2772,7 @@ def _range_loss_1(x):
     f_q = g / square
     f_e0 = op.product_rest(f_q, square, g)
     f_e1 = g_lo - f_e0
-    f_e2 = -op.product_rest(f_q, square_lo, f_e1)
+    f_e2 = op.fnma(f_q, square_lo, f_e1)
     f_off = f_e2 / square
     f = f_q + f_off
     f_lo = (f_q - f) + f_off
@@ -5474,7 +2783,7 @@ def _range_loss_1(x):
 
 def _range_loss_1_pair(x, x_lo):
     """The same at x + x_lo."""
-    g, g_lo = grown_loss_tail_near_pair(x, x_lo)
+    g, g_lo = near_pair(GROWN_LOSS_TAIL, x, x_lo)
     more_s = x + 1.0
     more_rest = op.sum_rest(x, 1.0, more_s)
     more_off = more_rest + x_lo
@@ -5489,7 +2798,7 @@ def _range_loss_1_pair(x, x_lo):
     f_q = g / square
     f_e0 = op.product_rest(f_q, square, g)
     f_e1 = g_lo - f_e0
-    f_e2 = -op.product_rest(f_q, square_lo, f_e1)
+    f_e2 = op.fnma(f_q, square_lo, f_e1)
     f_off = f_e2 / square
     f = f_q + f_off
     f_lo = (f_q - f) + f_off
@@ -5568,7 +2877,7 @@ def range_loss_pair(x, x_lo):
 
 def _grown_balance_0(x):
     """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), for x in [0.0, 7.5)."""
-    f, f_lo = grown_balance_near(x)
+    f, f_lo = near(GROWN_BALANCE, x)
     r = f
     lo = f_lo
     return r, lo
@@ -5576,7 +2885,7 @@ def _grown_balance_0(x):
 
 def _grown_balance_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = grown_balance_near_pair(x, x_lo)
+    f, f_lo = near_pair(GROWN_BALANCE, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -5584,7 +2893,7 @@ def _grown_balance_0_pair(x, x_lo):
 
 def _grown_balance_1(x):
     """b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), for x in [7.5, 127.5)."""
-    f, f_lo = grown_balance_tail_near(x)
+    f, f_lo = near(GROWN_BALANCE_TAIL, x)
     r = f
     lo = f_lo
     return r, lo
@@ -5592,7 +2901,7 @@ def _grown_balance_1(x):
 
 def _grown_balance_1_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = grown_balance_tail_near_pair(x, x_lo)
+    f, f_lo = near_pair(GROWN_BALANCE_TAIL, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -5674,7 +2983,7 @@ def _acot_0(x):
     y_off = y_minus * y_e0
     y = y_q + y_off
     y_lo = (y_q - y) + y_off
-    f, f_lo = arctangent_near_pair(y, y_lo)
+    f, f_lo = near_pair(ARCTANGENT, y, y_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -5690,7 +2999,7 @@ def _acot_0_pair(x, x_lo):
     y_off = y_minus * y_e1
     y = y_q + y_off
     y_lo = (y_q - y) + y_off
-    f, f_lo = arctangent_near_pair(y, y_lo)
+    f, f_lo = near_pair(ARCTANGENT, y, y_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -5700,7 +3009,7 @@ def _acot_1(x):
     """the angle in [0, pi/2] whose cotangent is x, for x in [0.0, 0.28125)."""
     felt = x >= 5.527147875260445e-76
     y = np.where(felt, x, 0.0)
-    f, f_lo = arctangent_near(y)
+    f, f_lo = near(ARCTANGENT, y)
     minus = f * (-1.0)
     minus_lo = f_lo * (-1.0)
     right = 1.5707963267948966
@@ -5721,7 +3030,7 @@ def _acot_1_pair(x, x_lo):
     felt = x >= 5.527147875260445e-76
     y = np.where(felt, x, 0.0)
     y_lo = np.where(felt, x_lo, 0.0)
-    f, f_lo = arctangent_near_pair(y, y_lo)
+    f, f_lo = near_pair(ARCTANGENT, y, y_lo)
     minus = f * (-1.0)
     minus_lo = f_lo * (-1.0)
     right = 1.5707963267948966
@@ -5791,7 +3100,7 @@ def acot_pair(x, x_lo):
 
 def _wright_omega_0(x):
     """w with w + log(w) = y, y below 2^17, for x in [0.0, 30.0)."""
-    f, f_lo = omega_start_near(x)
+    f, f_lo = near(OMEGA_START, x)
     r = f
     lo = f_lo
     return r, lo
@@ -5799,7 +3108,7 @@ def _wright_omega_0(x):
 
 def _wright_omega_0_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = omega_start_near_pair(x, x_lo)
+    f, f_lo = near_pair(OMEGA_START, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -5807,7 +3116,7 @@ def _wright_omega_0_pair(x, x_lo):
 
 def _wright_omega_1(x):
     """w with w + log(w) = y, y below 2^17, for x in [30.0, 768.0)."""
-    f, f_lo = omega_near(x)
+    f, f_lo = near(OMEGA, x)
     r = f
     lo = f_lo
     return r, lo
@@ -5815,7 +3124,7 @@ def _wright_omega_1(x):
 
 def _wright_omega_1_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = omega_near_pair(x, x_lo)
+    f, f_lo = near_pair(OMEGA, x, x_lo)
     r = f
     lo = f_lo
     return r, lo
@@ -5823,7 +3132,7 @@ def _wright_omega_1_pair(x, x_lo):
 
 def _wright_omega_2(x):
     """w with w + log(w) = y, y below 2^17, for x in [768.0, 131072.0)."""
-    f, f_lo = omega_tail_near(x)
+    f, f_lo = near(OMEGA_TAIL, x)
     r = f
     lo = f_lo
     return r, lo
@@ -5831,7 +3140,7 @@ def _wright_omega_2(x):
 
 def _wright_omega_2_pair(x, x_lo):
     """The same at x + x_lo."""
-    f, f_lo = omega_tail_near_pair(x, x_lo)
+    f, f_lo = near_pair(OMEGA_TAIL, x, x_lo)
     r = f
     lo = f_lo
     return r, lo

@@ -23,6 +23,7 @@ from galileo_sym.codegen import (
     lean,
     numpy,
     numpy_kernels,
+    numpy_steps,
     pairs,
     stubs,
     tables,
@@ -34,16 +35,21 @@ KEPT = ("certificates",)  # reviewed and committed by other means, never written
 _NUMPY_TEMPLATES = (
     "_angle.py",
     "_branches.py",
+    "_chunks.py",
     "_decay.py",
     "_elementary.py",
     "_elevation.py",
     "_excess.py",
+    "_fading.py",
     "_kernel.py",
     "_launch.py",
     "_lines.py",
+    "_near.py",
+    "_pairs.py",
     "_primitives.py",
     "_roots.py",
     "_scaled.py",
+    "_turn.py",
 )
 _C_TEMPLATES = (
     "branches.c",
@@ -105,6 +111,7 @@ def _sources():
         files[name] = _python(f"templates/numpy/{name}", _template(f"numpy/{name}"))
     files["_tables.py"] = _python("the tables of galileo_sym.primitives", tables.numpy_tables())
     files["_pieces.py"] = _python("the coefficients of galileo_sym.primitives", numpy_kernels.pieces())
+    files["_steps.py"] = _python("sine, cosine and exponential", numpy_steps.module())
     files["special.py"] = _python("the frames of galileo_sym.primitives", numpy_kernels.special())
     for paper in _papers():
         files[f"{paper}.py"] = _python(f"the stable forms of {paper}", numpy.module(paper))

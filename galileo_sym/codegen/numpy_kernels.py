@@ -2,18 +2,18 @@
 
 from math import inf, isinf
 
+from galileo_sym.codegen.numpy_banks import bank_text
 from galileo_sym.codegen.pairs import PAIRS
-from galileo_sym.primitives.approximations import APPROXIMATIONS
 from galileo_sym.primitives.kernels import KERNELS
-from galileo_sym.primitives.lines import alone, columns, near_lines, used
+from galileo_sym.primitives.lines import Line, alone, used
+from galileo_sym.primitives.pairs import result
 
-_FORMS = {  # what has no function of its own; a product's rest is exact, so fnma is no worse than fused
+_FORMS = {  # what has no function of its own
     "add": "{} + {}",
     "sub": "{} - {}",
     "mul": "{} * {}",
     "div": "{} / {}",
     "fma": "{} * {} + {}",
-    "fnma": "-op.product_rest({}, {}, {})",
     "rest": "({0} - {2}) + {1}",
     "sqrt": "np.sqrt({})",
     "abs": "np.abs({})",
@@ -25,6 +25,12 @@ _FORMS = {  # what has no function of its own; a product's rest is exact, so fnm
     "select": "np.where({}, {}, {})",
     "copy": "{}",
     "pick": "{}",
+}
+# Ranges of which NumPy has its own form: nothing is due for the sake of flags, and a table may be longer than sixteen.
+_FUNCTIONS = {("exp_minus", 0): "fading"}
+_LINES = {
+    ("sin", 0): (Line("f", "near_pair", ("sine", "x", "x_lo")), *result("f")),
+    ("arctan", 0): (Line("f", "near_pair", ("arctangent", "x", "x_lo")), *result("f")),
 }
 
 
@@ -44,7 +50,7 @@ def _operand(owner, operand):
 def _statement(owner, line):
     if line.operation in ("near", "near_pair"):
         bank, *arguments = line.operands
-        return f"    {line.name}, {line.name}_lo = {bank}_{line.operation}({', '.join(arguments)})\n"
+        return f"    {line.name}, {line.name}_lo = {line.operation}({', '.join([bank.upper(), *arguments])})\n"
     operands = [_operand(owner, operand) for operand in line.operands]
     form = _FORMS.get(line.operation) or f"op.{line.operation}({', '.join('{}' for _ in operands)})"
     return f"    {line.name} = {form.format(*operands)}\n"
@@ -61,21 +67,20 @@ def _table(owner, column, values):
     return f"{owner.upper()}_{column.upper()} = row(\n{text}\n)\n"
 
 
-def _bank(bank):
-    return _function(
-        f"{bank}_near", "x", bank, near_lines(bank, False), f"{APPROXIMATIONS[bank].doc}, on its pieces."
-    ) + _function(f"{bank}_near_pair", "x, x_lo", bank, near_lines(bank, True), "The same at x + x_lo.")
-
-
 def _kernel(kernel):
     out, forms = [], []
     for number, served in enumerate(kernel.ranges):
         name = f"_{kernel.name}_{number}"
         where = f"for x in [{served.begin!r}, {served.end!r}{']' if isinf(served.end) else ')'}."
-        out.append(_function(name, "x", kernel.name, alone(served.lines), f"{kernel.doc}, {where}"))
-        out.append(_function(f"{name}_pair", "x, x_lo", kernel.name, used(served.lines), "The same at x + x_lo."))
+        lines = _LINES.get((kernel.name, number), served.lines)
         begin = -inf if served.begin == kernel.domain[0] else served.begin  # a pair may begin a little before it
-        forms.append(f"        ({_number(begin)}, {_number(served.end)}, {name}, {name}_pair),\n")
+        if names := _FUNCTIONS.get((kernel.name, number), ""):
+            names = f"{names}, {names}"
+        else:
+            out.append(_function(name, "x", kernel.name, alone(lines), f"{kernel.doc}, {where}"))
+            out.append(_function(f"{name}_pair", "x, x_lo", kernel.name, used(lines), "The same at x + x_lo."))
+            names = f"{name}, {name}_pair"
+        forms.append(f"        ({_number(begin)}, {_number(served.end)}, {names}),\n")
     domain, *ends = (", ".join(map(_number, pair)) for pair in (kernel.domain, *kernel.ends))
     return (
         f"{''.join(out)}_{kernel.name.upper()} = {{\n"
@@ -96,25 +101,24 @@ def _banks():
 
 def _tables():
     """Return {name: text} of all tables; two frames may share one."""
-    found = {}
-    owners = [(bank, columns(bank)) for bank in _banks()] + [(k.name, k.tables) for k in PAIRS.values()]
-    for owner, table in owners:
-        for column, values in table.items():
-            found[f"{owner}_{column}".upper()] = _table(owner, column, values)
+    found = {bank.upper(): bank_text(bank) for bank in _banks()}
+    for kernel in PAIRS.values():
+        for column, values in kernel.tables.items():
+            found[f"{kernel.name}_{column}".upper()] = _table(kernel.name, column, values)
     return found
 
 
 def pieces():
     """Return the module of the tables that the primitives look up."""
     return (
-        '"""Tables of the primitives: a row a coefficient, a place a piece."""\n\nfrom ._lines import row\n\n'
-        + "".join(_tables().values())
+        '"""Tables of the primitives: a row a coefficient, a place a piece."""\n\n'
+        "from ._lines import row\nfrom ._near import Bank\n\n" + "".join(_tables().values())
     )
 
 
 def special():
     """Return the module of the primitives."""
-    body = "".join(map(_bank, _banks())) + "".join(map(_kernel, PAIRS.values()))
+    body = "".join(map(_kernel, PAIRS.values()))
     rows = "".join(
         f'    "{n}": {{"outputs": 1, "angle": None, "kernels": {{(): {n}}}, "rest": True}},\n' for n in KERNELS
     )
@@ -124,6 +128,6 @@ def special():
         "NAME_pair(x, x_lo) is the same at x + x_lo. The pair is good to 2^-57 of the value, with the exceptions and\n"
         'domains that c/galileo_pairs.h names.\n"""\n\n'
         "from math import inf\n\nimport numpy as np\n\n"
-        "from . import _lines as op\n"
+        "from . import _lines as op\nfrom ._fading import fading\nfrom ._near import near, near_pair\n"
         f"from ._pieces import (\n{''.join(f'    {name},{chr(10)}' for name in _tables())})\n\n\n{body}"
     ).rstrip("\n") + "\n"
