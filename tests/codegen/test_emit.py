@@ -140,8 +140,11 @@ def test_every_kernel_names_its_ledger_entry_its_equations_and_its_cost(files):
     assert files["c/chord.c"].decode().count("Operations: ") == 21
 
 
+STANDARD = ("import numpy", "from .", "from functools", "from math", "from typing")
+
+
 def test_numpy_modules_import_numpy_alone(files):
     for name, data in files.items():
         if name.endswith(".py"):
             imports = [line for line in data.decode().splitlines() if line.startswith(("import ", "from "))]
-            assert all(line.startswith(("import numpy", "from .", "from math", "from typing")) for line in imports)
+            assert all(line.startswith(STANDARD) for line in imports)
