@@ -11,7 +11,7 @@ from galileo_sym.codegen.printing import counts_text, sources_text
 from galileo_sym.codegen.schedule import schedule
 
 ARRAYS, VALUES = "n", "nu"  # the shapes: all arguments arrays; the keyword arguments one value each
-_RATES = ("gamma", "k")  # they enter by factors that are 1 where they are small
+_RATES = ("gamma", "k")  # they enter by factors that are 1 where they are small, so that 0 stands for the smallest
 _AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
 
 
@@ -21,8 +21,8 @@ class Arithmetic:
 
     ``kind`` is the type of arguments and results, ``ending`` that of names; ``number`` and ``turn`` the types of values
     and angles. ``load``, ``store``, ``padded`` name what moves vectors; ``taken`` makes a number of a lane's argument,
-    ``value`` a lane's result of a number; ``widened`` makes a double of an argument for the scaled form. ``ordinary``
-    tests arguments by domain; ``failing`` gives the masks that an operation changes.
+    ``rate`` of one that is a rate, ``value`` a lane's result of a number; ``widened`` makes a double of an argument for
+    the scaled form. ``ordinary`` tests arguments by domain; ``failing`` gives the masks that an operation changes.
     """
 
     kind: str
@@ -34,6 +34,7 @@ class Arithmetic:
     store: str
     padded: str
     taken: str
+    rate: str
     value: str
     widened: dict
     ordinary: dict
@@ -50,12 +51,13 @@ DOUBLE = Arithmetic(
     store="gs_v_store",
     padded="gs_padded",
     taken="gs_vp_load({})",
-    value="({}).hi",
+    rate="gs_vp_load(gs_felt({}))",
+    value="gs_vp_value({})",
     widened={},
     ordinary={  # no term of a formula over- or underflows, nor what a product leaves
         "positive": "gs_between({}, 0x1p-100, 0x1p+100)",
         "nonnegative": "gs_between_or_0({}, 0x1p-100, 0x1p+100)",
-        "rate": "gs_between_or_0({}, 0x1p-700, 0x1p+100)",
+        "rate": "gs_between({}, 0.0, 0x1p+100)",
         "chord angle": "gs_between_or_0(gs_abs({}), 0x1p-100, GS_HALF_TURN_0)",
         "elevation": "gs_between_or_0({}, 0x1p-100, GS_HALF_TURN_0)",
         "chord angle, idle": "gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs({}))",
@@ -72,6 +74,7 @@ SINGLE = Arithmetic(
     store="gs_v_narrow",
     padded="gs_padded_single",
     taken="{}",
+    rate="{}",
     value="{}",
     widened={"chord angle": "gs_wide_angle({})", "elevation": "gs_wide_angle({})"},
     ordinary={
@@ -197,9 +200,11 @@ class _Form:
 
     def loads(self, arguments, mask):
         """Lines that take arguments as numbers: 1 in lanes that are not served."""
-        taken = self.arithmetic.taken.format(f"gs_select({mask}, {{}}_here, one)")
-        used = [a for a in arguments if a.symbol in self.plan.loads]
-        lines = [f"const {self.arithmetic.number} {a.symbol} = {taken.format(a.name)};" for a in used]
+        lines = []
+        for a in (a for a in arguments if a.symbol in self.plan.loads):
+            taken = self.arithmetic.rate if a.name in _RATES else self.arithmetic.taken
+            number = taken.format(f"gs_select({mask}, {a.name}_here, one)")
+            lines.append(f"const {self.arithmetic.number} {a.symbol} = {number};")
         turned = self.turned and any(a.name == "theta" for a in arguments)
         return lines + ["const gs_v theta_used = gs_select(good, theta_here, one);"] * turned
 

@@ -43,8 +43,8 @@ def _choice(kernel):
     out = [f"static GS_RARE gs_v gs_{kernel.name}_rarely_lean(gs_v x, gs_v r)\n{{\n    gs_mask here;\n"]
     for index, served in enumerate(others, 1):
         out += [
-            f"    here = {served_text(served, kernel)};\n",
-            f"    r = gs_select(here, {call(kernel.name, index, c_number(served.harmless))}, r);\n",
+            f"    here = {served_text(served, kernel)};\n    if (gs_bits_of(here))\n",
+            f"        r = gs_select(here, {call(kernel.name, index, c_number(served.harmless))}, r);\n",
         ]
     out += [
         "    return r;\n}\n\n",

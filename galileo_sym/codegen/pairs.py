@@ -105,9 +105,9 @@ def _lanes(kernel):
     rare.append("    gs_v other, rest;\n")
     for index, served in enumerate(others, 1):
         rare += [
-            f"    here = {served_text(served, kernel)};\n",
-            f"    other = {call(kernel.name, index, c_number(served.harmless), '&rest')};\n",
-            "    r = gs_select(here, other, r);\n    *lo = gs_select(here, rest, *lo);\n",
+            f"    here = {served_text(served, kernel)};\n    if (gs_bits_of(here)) {{\n",
+            f"        other = {call(kernel.name, index, c_number(served.harmless), '&rest')};\n",
+            "        r = gs_select(here, other, r);\n        *lo = gs_select(here, rest, *lo);\n    }\n",
         ]
     return "".join(
         [

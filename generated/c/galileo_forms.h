@@ -27,7 +27,7 @@ void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double
         const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-        gs_v time_here = (t0).hi;
+        gs_v time_here = gs_vp_value(t0);
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -108,7 +108,7 @@ void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const doubl
         const gs_v theta_here = gs_v_load(theta_in);
         gs_mask good = known;
         good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
-        gs_v time_here = (t0).hi;
+        gs_v time_here = gs_vp_value(t0);
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -198,7 +198,7 @@ void GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(size_t count, const do
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (t0).hi);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -296,7 +296,7 @@ void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const d
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (t0).hi);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -384,13 +384,13 @@ void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double
         gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
         good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
         const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi;
+        gs_v time_here = gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p)));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -466,10 +466,10 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
     const gs_vp p = gs_vp_mul(gamma, t0);
     const gs_vp once1 = gs_vp_mul(t0, gs_vp_descent_factor(p));
@@ -481,7 +481,7 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
         const gs_v theta_here = gs_v_load(theta_in);
         gs_mask good = known;
         good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
-        gs_v time_here = (once1).hi;
+        gs_v time_here = gs_vp_value(once1);
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -569,11 +569,11 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, con
         good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         gs_mask held;
         const gs_turn a = gs_vp_angle(theta_used);
@@ -581,7 +581,7 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, con
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
         const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p))));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -668,11 +668,11 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, co
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -688,7 +688,7 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, co
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
         const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p))));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -784,7 +784,7 @@ void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v distance_here = (gs_vp_scaled(gs_vp_mul(fall, C), 0.5)).hi;
+        gs_v distance_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, C), 0.5));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -872,7 +872,7 @@ void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v distance_here = (gs_vp_scaled(gs_vp_mul(fall, C), 0.5)).hi;
+        gs_v distance_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, C), 0.5));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -965,7 +965,7 @@ void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(fall, n), 0.5)).hi);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, n), 0.5)));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -1062,7 +1062,7 @@ void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const doubl
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(fall, n), 0.5)).hi);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, n), 0.5)));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -1150,16 +1150,16 @@ void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = (gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z))).hi;
+        gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z)));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -1236,9 +1236,9 @@ void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -1256,7 +1256,7 @@ void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = (gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z))).hi;
+        gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z)));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -1347,18 +1347,18 @@ void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const d
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         gs_mask held;
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))).hi);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -1442,10 +1442,10 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -1464,7 +1464,7 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))).hi);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -1559,7 +1559,7 @@ void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in,
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v speed_here = (gs_vp_mul(gs_vp_mul(t, g), C)).hi;
+        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), C));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -1645,7 +1645,7 @@ void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v speed_here = (gs_vp_mul(gs_vp_mul(t, g), C)).hi;
+        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), C));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -1736,7 +1736,7 @@ void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t
         gs_mask held;
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(t, g), n)).hi);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), n)));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -1831,7 +1831,7 @@ void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *
         gs_mask held;
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(t, g), n)).hi);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), n)));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -1918,15 +1918,15 @@ void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in,
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z))).hi;
+        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z)));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -2002,9 +2002,9 @@ void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -2021,7 +2021,7 @@ void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z))).hi;
+        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z)));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -2111,17 +2111,17 @@ void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const doub
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         gs_mask held;
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))).hi);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -2204,10 +2204,10 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -2225,7 +2225,7 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))).hi);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -2322,8 +2322,8 @@ void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp shared = gs_vp_mul(fall, C);
         const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi;
-        gs_v y_here = (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi;
+        gs_v x_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5));
+        gs_v y_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -2426,8 +2426,8 @@ void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp shared = gs_vp_mul(fall, C);
         const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi;
-        gs_v y_here = (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi;
+        gs_v x_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5));
+        gs_v y_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -2536,8 +2536,8 @@ void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double
         const gs_vp shared = gs_vp_mul(fall, n);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi);
-        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5)));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -2651,8 +2651,8 @@ void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const doubl
         const gs_vp shared = gs_vp_mul(fall, n);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi);
-        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5)));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -2754,10 +2754,10 @@ void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
@@ -2765,8 +2765,8 @@ void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
         const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = (gs_vp_mul(shared, S)).hi;
-        gs_v y_here = (gs_vp_mul(shared, C)).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
+        gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -2856,9 +2856,9 @@ void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -2878,8 +2878,8 @@ void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
         const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = (gs_vp_mul(shared, S)).hi;
-        gs_v y_here = (gs_vp_mul(shared, C)).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
+        gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -2983,11 +2983,11 @@ void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const d
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         gs_mask held;
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
@@ -2997,8 +2997,8 @@ void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const d
         const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
         const gs_vp S = gs_vp_sine(a);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, S)).hi);
-        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, C)).hi);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -3096,10 +3096,10 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -3121,8 +3121,8 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
         const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
         const gs_vp S = gs_vp_sine(a);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, S)).hi);
-        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, C)).hi);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -3226,9 +3226,9 @@ void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const 
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = (gs_vp_constant(0.0)).hi;
-        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
-        gs_v R_here = (gs_vp_scaled(fall, 0.25)).hi;
+        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
+        gs_v R_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -3326,9 +3326,9 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const
         good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = (gs_vp_constant(0.0)).hi;
-        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
-        gs_v R_here = (gs_vp_scaled(fall, 0.25)).hi;
+        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
+        gs_v R_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -3430,9 +3430,9 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, co
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, fall), 0.25)).hi;
-        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
-        gs_v R_here = (gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(fall, 0.25))).hi;
+        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, fall), 0.25));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
+        gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(fall, 0.25)));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -3538,9 +3538,9 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, c
         good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, fall), 0.25)).hi;
-        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
-        gs_v R_here = (gs_vp_mul(once1, gs_vp_scaled(fall, 0.25))).hi;
+        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, fall), 0.25));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
+        gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(fall, 0.25)));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -3641,16 +3641,16 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const 
         const gs_v gamma_here = gs_v_load(gamma_in);
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = (gs_vp_constant(0.0)).hi;
-        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
-        gs_v R_here = (gs_vp_scaled(shared, 0.5)).hi;
+        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
+        gs_v R_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -3744,9 +3744,9 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -3759,9 +3759,9 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = (gs_vp_constant(0.0)).hi;
-        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
-        gs_v R_here = (gs_vp_scaled(shared, 0.5)).hi;
+        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
+        gs_v R_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -3866,17 +3866,17 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t coun
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, shared), 0.5)).hi;
-        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
-        gs_v R_here = (gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(shared, 0.5))).hi;
+        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, shared), 0.5));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
+        gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(shared, 0.5)));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -3976,10 +3976,10 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
@@ -3993,9 +3993,9 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, shared), 0.5)).hi;
-        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
-        gs_v R_here = (gs_vp_mul(once1, gs_vp_scaled(shared, 0.5))).hi;
+        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, shared), 0.5));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
+        gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(shared, 0.5)));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -4097,7 +4097,7 @@ void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in,
         const gs_v mu_here = gs_v_load(mu_in);
         gs_mask good = gs_between_or_0(mu_here, 0x1p-100, 0x1p+100);
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        gs_v angle_here = (gs_vp_acot(mu)).hi;
+        gs_v angle_here = gs_vp_value(gs_vp_acot(mu));
         if (!gs_all(good)) {
             double angle_each[GS_LANES];
             gs_v_store(angle_each, angle_here);
@@ -4174,7 +4174,7 @@ void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const do
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        gs_v time_here = (gs_vp_scaled(rise, 2.0)).hi;
+        gs_v time_here = gs_vp_value(gs_vp_scaled(rise, 2.0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -4261,7 +4261,7 @@ void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const d
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        gs_v time_here = (gs_vp_scaled(rise, 2.0)).hi;
+        gs_v time_here = gs_vp_value(gs_vp_scaled(rise, 2.0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -4344,16 +4344,16 @@ void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const do
         gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v time_here = (gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0)).hi;
+        gs_v time_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -4432,10 +4432,10 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -4449,7 +4449,7 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v time_here = (gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0)).hi;
+        gs_v time_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -4541,7 +4541,7 @@ void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, con
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -4630,7 +4630,7 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, co
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -4714,17 +4714,17 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, con
         gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -4804,10 +4804,10 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -4822,7 +4822,7 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -4920,8 +4920,8 @@ void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const doubl
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = (gs_vp_mul(reach, C)).hi;
-        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5))).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -5031,8 +5031,8 @@ void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const doub
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = (gs_vp_mul(reach, C)).hi;
-        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5))).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -5135,11 +5135,11 @@ void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const doubl
         good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_vp z = gs_vp_mul(t, k);
         const gs_vp reach = gs_vp_mul(gs_vp_mul(t, v), gs_vp_phi1m(z));
@@ -5147,8 +5147,8 @@ void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const doubl
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = (gs_vp_mul(reach, C)).hi;
-        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z)))).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z))));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -5244,10 +5244,10 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -5267,8 +5267,8 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = (gs_vp_mul(reach, C)).hi;
-        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z)))).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z))));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -5380,8 +5380,8 @@ void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const doubl
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = (gs_vp_mul(v, C)).hi;
-        gs_v vy_here = (gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g))).hi;
+        gs_v vx_here = gs_vp_value(gs_vp_mul(v, C));
+        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g)));
         if (!gs_all(good)) {
             double vx_each[GS_LANES], vy_each[GS_LANES];
             gs_v_store(vx_each, vx_here);
@@ -5487,8 +5487,8 @@ void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const doub
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = (gs_vp_mul(v, C)).hi;
-        gs_v vy_here = (gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g))).hi;
+        gs_v vx_here = gs_vp_value(gs_vp_mul(v, C));
+        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g)));
         if (!gs_all(good)) {
             double vx_each[GS_LANES], vy_each[GS_LANES];
             gs_v_store(vx_each, vx_here);
@@ -5589,19 +5589,19 @@ void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const doubl
         good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_vp z = gs_vp_mul(t, k);
         const gs_vp fade = gs_vp_phi0m(z, &good);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = (gs_vp_mul(gs_vp_mul(v, fade), C)).hi;
-        gs_v vy_here = (gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z)))).hi;
+        gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_mul(v, fade), C));
+        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z))));
         if (!gs_all(good)) {
             double vx_each[GS_LANES], vy_each[GS_LANES];
             gs_v_store(vx_each, vx_here);
@@ -5696,10 +5696,10 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -5718,8 +5718,8 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = (gs_vp_mul(gs_vp_mul(v, fade), C)).hi;
-        gs_v vy_here = (gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z)))).hi;
+        gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_mul(v, fade), C));
+        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z))));
         if (!gs_all(good)) {
             double vx_each[GS_LANES], vy_each[GS_LANES];
             gs_v_store(vx_each, vx_here);
@@ -5826,7 +5826,7 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, co
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -5914,7 +5914,7 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, c
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -5998,17 +5998,17 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, co
         gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -6088,10 +6088,10 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     const gs_vp once1 = gs_vp_mul(v, v);
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
@@ -6107,7 +6107,7 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -6201,7 +6201,7 @@ void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const 
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), g)), gs_vp_constant(3.0)), 8.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), g)), gs_vp_constant(3.0)), 8.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -6291,7 +6291,7 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), g)), gs_vp_constant(3.0)), 8.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), g)), gs_vp_constant(3.0)), 8.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -6376,17 +6376,17 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const 
         gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), gs_vp_range_loss(b)), g)), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), gs_vp_range_loss(b)), g)), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -6466,10 +6466,10 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     const gs_vp once1 = gs_vp_mul(v, v);
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
@@ -6485,7 +6485,7 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), gs_vp_range_loss(b)), g)), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), gs_vp_range_loss(b)), g)), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -6571,7 +6571,7 @@ void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const doub
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        gs_v range_here = (gs_vp_div(gs_vp_mul(v, v), g)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_div(gs_vp_mul(v, v), g));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -6645,12 +6645,12 @@ void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const doub
         const gs_v k_here = gs_v_load(k_in);
         gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_vp alpha = gs_vp_div(gs_vp_mul(v, k), g);
-        gs_v range_here = (gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_max_range_factor(alpha)), g)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_max_range_factor(alpha)), g));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);

@@ -1581,9 +1581,11 @@ static GS_RARE gs_v gs_phi1m_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    r = gs_select(here, gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
     here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    r = gs_select(here, gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
     return r;
 }
 
@@ -1623,9 +1625,11 @@ static GS_RARE gs_v gs_phi2m_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    r = gs_select(here, gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
     here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    r = gs_select(here, gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
     return r;
 }
 
@@ -1663,9 +1667,11 @@ static GS_RARE gs_v gs_descent_factor_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
-    r = gs_select(here, gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3))), r);
     here = gs_at_least(x, gs_v_of(INFINITY));
-    r = gs_select(here, gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
     return r;
 }
 
@@ -1703,9 +1709,11 @@ static GS_RARE gs_v gs_flight_factor_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    r = gs_select(here, gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+3))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+3))), r);
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    r = gs_select(here, gs_flight_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_flight_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7))), r);
     return r;
 }
 
@@ -1742,9 +1750,11 @@ static GS_RARE gs_v gs_range_factor_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
     return r;
 }
 
@@ -1789,9 +1799,11 @@ static GS_RARE gs_v gs_range_loss_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
     return r;
 }
 
@@ -1838,11 +1850,14 @@ static GS_RARE gs_v gs_grown_balance_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
     here = gs_at_least(x, gs_v_of(INFINITY));
-    r = gs_select(here, gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
     return r;
 }
 
@@ -1922,11 +1937,14 @@ static GS_RARE gs_v gs_max_range_factor_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
-    r = gs_select(here, gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
     here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
-    r = gs_select(here, gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554))), r);
     here = gs_at_least(x, gs_v_of(INFINITY));
-    r = gs_select(here, gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
     return r;
 }
 
@@ -1971,9 +1989,11 @@ static GS_RARE gs_v gs_acot_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
-    r = gs_select(here, gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0))), r);
     here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
-    r = gs_select(here, gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100))), r);
     return r;
 }
 

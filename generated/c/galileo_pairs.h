@@ -1040,13 +1040,17 @@ static GS_RARE gs_v gs_phi1m_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    other = gs_phi1m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_phi1m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    other = gs_phi1m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_phi1m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -1134,13 +1138,17 @@ static GS_RARE gs_v gs_phi2m_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    other = gs_phi2m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_phi2m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    other = gs_phi2m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_phi2m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -1221,13 +1229,17 @@ static GS_RARE gs_v gs_descent_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo
     gs_mask here;
     gs_v other, rest;
     here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
-    other = gs_descent_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_descent_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(INFINITY));
-    other = gs_descent_factor_range2_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_descent_factor_range2_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -1306,13 +1318,17 @@ static GS_RARE gs_v gs_flight_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    other = gs_flight_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_flight_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    other = gs_flight_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_flight_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -1386,13 +1402,17 @@ static GS_RARE gs_v gs_range_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    other = gs_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    other = gs_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -1980,17 +2000,23 @@ static GS_RARE gs_v gs_max_range_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
-    other = gs_max_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_max_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
-    other = gs_max_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+554)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_max_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+554)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(INFINITY));
-    other = gs_max_range_factor_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_max_range_factor_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -2933,13 +2959,17 @@ static GS_RARE gs_v gs_range_loss_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    other = gs_range_loss_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_range_loss_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    other = gs_range_loss_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_range_loss_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -3024,17 +3054,23 @@ static GS_RARE gs_v gs_grown_balance_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    other = gs_grown_balance_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_grown_balance_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    other = gs_grown_balance_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_grown_balance_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(INFINITY));
-    other = gs_grown_balance_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_grown_balance_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -3129,13 +3165,17 @@ static GS_RARE gs_v gs_acot_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
-    other = gs_acot_range1_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_acot_range1_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
-    other = gs_acot_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+100)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_acot_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+100)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 

@@ -88,6 +88,11 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
     const __mmask8 move = _mm512_cmp_pd_mask(lo, _mm512_setzero_pd(), _CMP_NEQ_OQ) & _mm512_testn_epi64_mask(bits, one);
     return _mm512_castsi512_pd(_mm512_mask_add_epi64(bits, move, bits, _mm512_or_si512(opposite, one)));
 }
+/* 1/x to 24 bits, x between 2^-126 and 2^126: by floats, which are divided in a third of the time */
+static inline gs_v gs_rough_inverse(gs_v x)
+{
+    return _mm512_cvtps_pd(_mm256_div_ps(_mm256_set1_ps(1.0f), _mm512_cvtpd_ps(x)));
+}
 /* the bits that a rounding to binary32 takes away are more than 2^18 from a tie */
 static inline gs_mask gs_off_ties(gs_v r)
 {
@@ -171,6 +176,7 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
     const __m256i step = _mm256_and_si256(_mm256_and_si256(inexact, even), _mm256_or_si256(opposite, one));
     return _mm256_castsi256_pd(_mm256_add_epi64(bits, step));
 }
+static inline gs_v gs_rough_inverse(gs_v x) { return _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0f), _mm256_cvtpd_ps(x))); }
 static inline gs_mask gs_off_ties(gs_v r)
 {
     const __m256i left = _mm256_add_epi64(_mm256_castpd_si256(r), _mm256_set1_epi64x(0x10040000));
@@ -233,6 +239,7 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
         return hi;
     return gs_of_bits((lo < 0.0) == (hi < 0.0) ? bits + 1 : bits - 1);
 }
+static inline gs_v gs_rough_inverse(gs_v x) { return 1.0f / (float)x; }
 static inline gs_mask gs_off_ties(gs_v r) { return ((gs_bits(r) + 0x10040000) & 0x1fffffff) >= 0x80000; }
 
 #endif

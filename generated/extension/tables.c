@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "97a506634111313494fb3f4308c4aa9153bd16d506c606db14f3abf4f370743b";
+const char gs_sources[] = "83b308c3959602b1c56226a6bf185993fcb147c163797d029b09f287237ecc17";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};

@@ -832,6 +832,7 @@ static inline gs_v gs_to_odd(gs_v hi, gs_v lo)
         return hi;
     return gs_of_bits((lo < 0.0) == (hi < 0.0) ? bits + 1 : bits - 1);
 }
+static inline gs_v gs_rough_inverse(gs_v x) { return 1.0f / (float)x; }
 static inline gs_mask gs_off_ties(gs_v r) { return ((gs_bits(r) + 0x10040000) & 0x1fffffff) >= 0x80000; }
 
 
@@ -6207,8 +6208,9 @@ static inline gs_v gs_arctan_value(gs_v x, gs_v *lo)
 #ifndef GALILEO_SINGLE_H
 #define GALILEO_SINGLE_H
 
-/* Arithmetic on pairs hi + lo, GS_LANES at a time, about 2^-100 relative, for arguments of ordinary size: there nothing
+/* Arithmetic on pairs hi + lo, GS_LANES at a time, about 2^-95 relative, for arguments of ordinary size: there nothing
  * overflows or underflows, and no flag is raised but 'inexact'. Other lanes are told apart first and go another way.
+ * hi need not be the nearest double: lo may be some units in its last place, as waiting for it would take too long.
  */
 #ifndef GALILEO_LANES_H
 #define GALILEO_LANES_H
@@ -6907,13 +6909,17 @@ static GS_RARE gs_v gs_phi1m_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    other = gs_phi1m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_phi1m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    other = gs_phi1m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_phi1m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -6984,13 +6990,17 @@ static GS_RARE gs_v gs_phi2m_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    other = gs_phi2m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_phi2m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    other = gs_phi2m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_phi2m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -7054,13 +7064,17 @@ static GS_RARE gs_v gs_descent_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo
     gs_mask here;
     gs_v other, rest;
     here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
-    other = gs_descent_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_descent_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(INFINITY));
-    other = gs_descent_factor_range2_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_descent_factor_range2_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -7122,13 +7136,17 @@ static GS_RARE gs_v gs_flight_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    other = gs_flight_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_flight_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    other = gs_flight_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_flight_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -7185,13 +7203,17 @@ static GS_RARE gs_v gs_range_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    other = gs_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    other = gs_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -7354,17 +7376,23 @@ static GS_RARE gs_v gs_max_range_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
-    other = gs_max_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_max_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
-    other = gs_max_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+554)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_max_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+554)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(INFINITY));
-    other = gs_max_range_factor_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_max_range_factor_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -7548,13 +7576,17 @@ static GS_RARE gs_v gs_range_loss_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    other = gs_range_loss_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_range_loss_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    other = gs_range_loss_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_range_loss_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -7620,17 +7652,23 @@ static GS_RARE gs_v gs_grown_balance_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    other = gs_grown_balance_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_grown_balance_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    other = gs_grown_balance_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_grown_balance_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(INFINITY));
-    other = gs_grown_balance_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_grown_balance_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -7708,13 +7746,17 @@ static GS_RARE gs_v gs_acot_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
     gs_mask here;
     gs_v other, rest;
     here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
-    other = gs_acot_range1_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_acot_range1_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
-    other = gs_acot_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+100)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-    r = gs_select(here, other, r);
-    *lo = gs_select(here, rest, *lo);
+    if (gs_bits_of(here)) {
+        other = gs_acot_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+100)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
+        r = gs_select(here, other, r);
+        *lo = gs_select(here, rest, *lo);
+    }
     return r;
 }
 
@@ -7762,6 +7804,9 @@ static inline gs_mask gs_between_or_0(gs_v x, double least, double greatest)
     return gs_either(gs_between(x, least, greatest), gs_both(gs_at_least(x, zero), gs_at_least(zero, x)));
 }
 
+/* A rate, 0 where no time of ordinary size makes it felt. */
+static inline gs_v gs_felt(gs_v x) { return gs_select(gs_at_least(x, gs_v_of(0x1p-400)), x, gs_v_of(0.0)); }
+
 static inline gs_vp gs_vp_of(gs_v hi, gs_v lo)
 {
     const gs_vp r = {hi, lo};
@@ -7775,13 +7820,16 @@ static inline gs_vp gs_vp_sum(gs_v a, gs_v b)
     return gs_vp_of(s, gs_rest(a, b, s));
 }
 
+/* The nearest double but for a little. */
+static inline gs_v gs_vp_value(gs_vp a) { return gs_add(a.hi, a.lo); }
+
 static inline gs_vp gs_vp_load(gs_v x) { return gs_vp_of(x, gs_v_of(0.0)); }
 static inline gs_vp gs_vp_constant(double x) { return gs_vp_of(gs_v_of(x), gs_v_of(0.0)); }
 
 static inline gs_vp gs_vp_mul(gs_vp a, gs_vp b)
 {
     const gs_v p = gs_mul(a.hi, b.hi);
-    return gs_vp_sum(p, gs_fma(a.hi, b.lo, gs_fma(a.lo, b.hi, gs_product_rest(a.hi, b.hi, p))));
+    return gs_vp_of(p, gs_fma(a.hi, b.lo, gs_fma(a.lo, b.hi, gs_product_rest(a.hi, b.hi, p))));
 }
 
 /* One division: what the product with 1/b leaves is exact enough to be mended by it. */
@@ -7790,21 +7838,20 @@ static inline gs_vp gs_vp_div(gs_vp a, gs_vp b)
     const gs_v inverse = gs_div(gs_v_of(1.0), b.hi);
     const gs_v q = gs_mul(a.hi, inverse);
     const gs_v rest = gs_fnma(q, b.lo, gs_add(gs_fnma(q, b.hi, a.hi), a.lo));
-    return gs_vp_sum(q, gs_mul(rest, inverse));
+    return gs_vp_of(q, gs_mul(rest, inverse));
 }
 
 static inline gs_vp gs_vp_sqrt(gs_vp a)
 {
     const gs_v s = gs_sqrt(a.hi);
     const gs_v rest = gs_add(gs_fnma(s, s, a.hi), a.lo);
-    return gs_vp_sum(s, gs_div(rest, gs_add(s, s)));
+    return gs_vp_of(s, gs_mul(gs_mul(rest, gs_v_of(0.5)), gs_rough_inverse(s)));
 }
 
 static inline gs_vp gs_vp_add(gs_vp a, gs_vp b)
 {
     const gs_v s = gs_add(a.hi, b.hi), t = gs_add(a.lo, b.lo);
-    const gs_vp first = gs_vp_sum(s, gs_add(gs_sum_rest(a.hi, b.hi, s), t));
-    return gs_vp_sum(first.hi, gs_add(first.lo, gs_sum_rest(a.lo, b.lo, t)));
+    return gs_vp_sum(s, gs_add(gs_sum_rest(a.hi, b.hi, s), t));
 }
 
 static inline gs_vp gs_vp_sub(gs_vp a, gs_vp b)
@@ -9562,9 +9609,11 @@ static GS_RARE gs_v gs_phi1m_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    r = gs_select(here, gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
     here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    r = gs_select(here, gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
     return r;
 }
 
@@ -9604,9 +9653,11 @@ static GS_RARE gs_v gs_phi2m_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    r = gs_select(here, gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
     here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    r = gs_select(here, gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
     return r;
 }
 
@@ -9644,9 +9695,11 @@ static GS_RARE gs_v gs_descent_factor_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
-    r = gs_select(here, gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3))), r);
     here = gs_at_least(x, gs_v_of(INFINITY));
-    r = gs_select(here, gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
     return r;
 }
 
@@ -9684,9 +9737,11 @@ static GS_RARE gs_v gs_flight_factor_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    r = gs_select(here, gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+3))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+3))), r);
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    r = gs_select(here, gs_flight_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_flight_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7))), r);
     return r;
 }
 
@@ -9723,9 +9778,11 @@ static GS_RARE gs_v gs_range_factor_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
     return r;
 }
 
@@ -9770,9 +9827,11 @@ static GS_RARE gs_v gs_range_loss_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
     return r;
 }
 
@@ -9819,11 +9878,14 @@ static GS_RARE gs_v gs_grown_balance_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
     here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    r = gs_select(here, gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
     here = gs_at_least(x, gs_v_of(INFINITY));
-    r = gs_select(here, gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
     return r;
 }
 
@@ -9903,11 +9965,14 @@ static GS_RARE gs_v gs_max_range_factor_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
-    r = gs_select(here, gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
     here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
-    r = gs_select(here, gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554))), r);
     here = gs_at_least(x, gs_v_of(INFINITY));
-    r = gs_select(here, gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
     return r;
 }
 
@@ -9952,9 +10017,11 @@ static GS_RARE gs_v gs_acot_rarely_lean(gs_v x, gs_v r)
 {
     gs_mask here;
     here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
-    r = gs_select(here, gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0))), r);
     here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
-    r = gs_select(here, gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100))), r);
+    if (gs_bits_of(here))
+        r = gs_select(here, gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100))), r);
     return r;
 }
 
@@ -10571,7 +10638,7 @@ void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double
         const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-        gs_v time_here = (t0).hi;
+        gs_v time_here = gs_vp_value(t0);
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -10652,7 +10719,7 @@ void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const doubl
         const gs_v theta_here = gs_v_load(theta_in);
         gs_mask good = known;
         good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
-        gs_v time_here = (t0).hi;
+        gs_v time_here = gs_vp_value(t0);
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -10742,7 +10809,7 @@ void GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(size_t count, const do
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (t0).hi);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -10840,7 +10907,7 @@ void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const d
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (t0).hi);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -10928,13 +10995,13 @@ void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double
         gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
         good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
         const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi;
+        gs_v time_here = gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p)));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -11010,10 +11077,10 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
     const gs_vp p = gs_vp_mul(gamma, t0);
     const gs_vp once1 = gs_vp_mul(t0, gs_vp_descent_factor(p));
@@ -11025,7 +11092,7 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
         const gs_v theta_here = gs_v_load(theta_in);
         gs_mask good = known;
         good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
-        gs_v time_here = (once1).hi;
+        gs_v time_here = gs_vp_value(once1);
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -11113,11 +11180,11 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, con
         good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         gs_mask held;
         const gs_turn a = gs_vp_angle(theta_used);
@@ -11125,7 +11192,7 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, con
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
         const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p))));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -11212,11 +11279,11 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, co
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -11232,7 +11299,7 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, co
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
         const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), (gs_vp_mul(t0, gs_vp_descent_factor(p))).hi);
+        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p))));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -11328,7 +11395,7 @@ void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v distance_here = (gs_vp_scaled(gs_vp_mul(fall, C), 0.5)).hi;
+        gs_v distance_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, C), 0.5));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -11416,7 +11483,7 @@ void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v distance_here = (gs_vp_scaled(gs_vp_mul(fall, C), 0.5)).hi;
+        gs_v distance_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, C), 0.5));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -11509,7 +11576,7 @@ void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(fall, n), 0.5)).hi);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, n), 0.5)));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -11606,7 +11673,7 @@ void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const doubl
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(fall, n), 0.5)).hi);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, n), 0.5)));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -11694,16 +11761,16 @@ void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = (gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z))).hi;
+        gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z)));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -11780,9 +11847,9 @@ void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -11800,7 +11867,7 @@ void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = (gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z))).hi;
+        gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z)));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -11891,18 +11958,18 @@ void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const d
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         gs_mask held;
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))).hi);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -11986,10 +12053,10 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -12008,7 +12075,7 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))).hi);
+        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))));
         if (!gs_all(good)) {
             double distance_each[GS_LANES];
             gs_v_store(distance_each, distance_here);
@@ -12103,7 +12170,7 @@ void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in,
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v speed_here = (gs_vp_mul(gs_vp_mul(t, g), C)).hi;
+        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), C));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -12189,7 +12256,7 @@ void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v speed_here = (gs_vp_mul(gs_vp_mul(t, g), C)).hi;
+        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), C));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -12280,7 +12347,7 @@ void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t
         gs_mask held;
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(t, g), n)).hi);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), n)));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -12375,7 +12442,7 @@ void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *
         gs_mask held;
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(t, g), n)).hi);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), n)));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -12462,15 +12529,15 @@ void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in,
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z))).hi;
+        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z)));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -12546,9 +12613,9 @@ void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -12565,7 +12632,7 @@ void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z))).hi;
+        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z)));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -12655,17 +12722,17 @@ void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const doub
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         gs_mask held;
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))).hi);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -12748,10 +12815,10 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -12769,7 +12836,7 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp n = gs_vp_driving(a, mu, &good, &held);
         const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))).hi);
+        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))));
         if (!gs_all(good)) {
             double speed_each[GS_LANES];
             gs_v_store(speed_each, speed_here);
@@ -12866,8 +12933,8 @@ void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp shared = gs_vp_mul(fall, C);
         const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi;
-        gs_v y_here = (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi;
+        gs_v x_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5));
+        gs_v y_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -12970,8 +13037,8 @@ void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp shared = gs_vp_mul(fall, C);
         const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi;
-        gs_v y_here = (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi;
+        gs_v x_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5));
+        gs_v y_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -13080,8 +13147,8 @@ void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double
         const gs_vp shared = gs_vp_mul(fall, n);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi);
-        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5)));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -13195,8 +13262,8 @@ void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const doubl
         const gs_vp shared = gs_vp_mul(fall, n);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, S), 0.5)).hi);
-        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_scaled(gs_vp_mul(shared, C), 0.5)).hi);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5)));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -13298,10 +13365,10 @@ void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_turn a = gs_vp_angle(theta_used);
@@ -13309,8 +13376,8 @@ void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
         const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = (gs_vp_mul(shared, S)).hi;
-        gs_v y_here = (gs_vp_mul(shared, C)).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
+        gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -13400,9 +13467,9 @@ void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -13422,8 +13489,8 @@ void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
         const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = (gs_vp_mul(shared, S)).hi;
-        gs_v y_here = (gs_vp_mul(shared, C)).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
+        gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -13527,11 +13594,11 @@ void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const d
         good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         gs_mask held;
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
@@ -13541,8 +13608,8 @@ void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const d
         const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
         const gs_vp S = gs_vp_sine(a);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, S)).hi);
-        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, C)).hi);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -13640,10 +13707,10 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -13665,8 +13732,8 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
         const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
         const gs_vp S = gs_vp_sine(a);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, S)).hi);
-        gs_v y_here = gs_select(held, gs_v_of(0.0), (gs_vp_mul(shared, C)).hi);
+        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
+        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -13770,9 +13837,9 @@ void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const 
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = (gs_vp_constant(0.0)).hi;
-        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
-        gs_v R_here = (gs_vp_scaled(fall, 0.25)).hi;
+        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
+        gs_v R_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -13870,9 +13937,9 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const
         good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = (gs_vp_constant(0.0)).hi;
-        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
-        gs_v R_here = (gs_vp_scaled(fall, 0.25)).hi;
+        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
+        gs_v R_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -13974,9 +14041,9 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, co
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, fall), 0.25)).hi;
-        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
-        gs_v R_here = (gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(fall, 0.25))).hi;
+        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, fall), 0.25));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
+        gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(fall, 0.25)));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -14082,9 +14149,9 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, c
         good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, fall), 0.25)).hi;
-        gs_v Y_here = (gs_vp_scaled(fall, 0.25)).hi;
-        gs_v R_here = (gs_vp_mul(once1, gs_vp_scaled(fall, 0.25))).hi;
+        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, fall), 0.25));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
+        gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(fall, 0.25)));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -14185,16 +14252,16 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const 
         const gs_v gamma_here = gs_v_load(gamma_in);
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = (gs_vp_constant(0.0)).hi;
-        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
-        gs_v R_here = (gs_vp_scaled(shared, 0.5)).hi;
+        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
+        gs_v R_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -14288,9 +14355,9 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -14303,9 +14370,9 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = (gs_vp_constant(0.0)).hi;
-        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
-        gs_v R_here = (gs_vp_scaled(shared, 0.5)).hi;
+        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
+        gs_v R_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -14410,17 +14477,17 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t coun
         gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_select(good, gamma_here, one));
+        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, shared), 0.5)).hi;
-        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
-        gs_v R_here = (gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(shared, 0.5))).hi;
+        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, shared), 0.5));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
+        gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(shared, 0.5)));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -14520,10 +14587,10 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(gamma_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
     const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_select(known, gamma_here, one));
+    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
     const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
@@ -14537,9 +14604,9 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
         const gs_vp z = gs_vp_mul(t, gamma);
         const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = (gs_vp_scaled(gs_vp_mul(mu, shared), 0.5)).hi;
-        gs_v Y_here = (gs_vp_scaled(shared, 0.5)).hi;
-        gs_v R_here = (gs_vp_mul(once1, gs_vp_scaled(shared, 0.5))).hi;
+        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, shared), 0.5));
+        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
+        gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(shared, 0.5)));
         if (!gs_all(good)) {
             double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
             gs_v_store(X_each, X_here);
@@ -14641,7 +14708,7 @@ void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in,
         const gs_v mu_here = gs_v_load(mu_in);
         gs_mask good = gs_between_or_0(mu_here, 0x1p-100, 0x1p+100);
         const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        gs_v angle_here = (gs_vp_acot(mu)).hi;
+        gs_v angle_here = gs_vp_value(gs_vp_acot(mu));
         if (!gs_all(good)) {
             double angle_each[GS_LANES];
             gs_v_store(angle_each, angle_here);
@@ -14718,7 +14785,7 @@ void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const do
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        gs_v time_here = (gs_vp_scaled(rise, 2.0)).hi;
+        gs_v time_here = gs_vp_value(gs_vp_scaled(rise, 2.0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -14805,7 +14872,7 @@ void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const d
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        gs_v time_here = (gs_vp_scaled(rise, 2.0)).hi;
+        gs_v time_here = gs_vp_value(gs_vp_scaled(rise, 2.0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -14888,16 +14955,16 @@ void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const do
         gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v time_here = (gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0)).hi;
+        gs_v time_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -14976,10 +15043,10 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -14993,7 +15060,7 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v time_here = (gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0)).hi;
+        gs_v time_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0));
         if (!gs_all(good)) {
             double time_each[GS_LANES];
             gs_v_store(time_each, time_here);
@@ -15085,7 +15152,7 @@ void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, con
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -15174,7 +15241,7 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, co
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -15258,17 +15325,17 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, con
         gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -15348,10 +15415,10 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -15366,7 +15433,7 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v range_here = (gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -15464,8 +15531,8 @@ void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const doubl
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = (gs_vp_mul(reach, C)).hi;
-        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5))).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -15575,8 +15642,8 @@ void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const doub
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = (gs_vp_mul(reach, C)).hi;
-        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5))).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -15679,11 +15746,11 @@ void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const doubl
         good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_vp z = gs_vp_mul(t, k);
         const gs_vp reach = gs_vp_mul(gs_vp_mul(t, v), gs_vp_phi1m(z));
@@ -15691,8 +15758,8 @@ void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const doubl
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = (gs_vp_mul(reach, C)).hi;
-        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z)))).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z))));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -15788,10 +15855,10 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -15811,8 +15878,8 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = (gs_vp_mul(reach, C)).hi;
-        gs_v y_here = (gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z)))).hi;
+        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z))));
         if (!gs_all(good)) {
             double x_each[GS_LANES], y_each[GS_LANES];
             gs_v_store(x_each, x_here);
@@ -15924,8 +15991,8 @@ void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const doubl
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = (gs_vp_mul(v, C)).hi;
-        gs_v vy_here = (gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g))).hi;
+        gs_v vx_here = gs_vp_value(gs_vp_mul(v, C));
+        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g)));
         if (!gs_all(good)) {
             double vx_each[GS_LANES], vy_each[GS_LANES];
             gs_v_store(vx_each, vx_here);
@@ -16031,8 +16098,8 @@ void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const doub
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = (gs_vp_mul(v, C)).hi;
-        gs_v vy_here = (gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g))).hi;
+        gs_v vx_here = gs_vp_value(gs_vp_mul(v, C));
+        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g)));
         if (!gs_all(good)) {
             double vx_each[GS_LANES], vy_each[GS_LANES];
             gs_v_store(vx_each, vx_here);
@@ -16133,19 +16200,19 @@ void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const doubl
         good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_vp z = gs_vp_mul(t, k);
         const gs_vp fade = gs_vp_phi0m(z, &good);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = (gs_vp_mul(gs_vp_mul(v, fade), C)).hi;
-        gs_v vy_here = (gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z)))).hi;
+        gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_mul(v, fade), C));
+        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z))));
         if (!gs_all(good)) {
             double vx_each[GS_LANES], vy_each[GS_LANES];
             gs_v_store(vx_each, vx_here);
@@ -16240,10 +16307,10 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
         if (here < GS_LANES) {
@@ -16262,8 +16329,8 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = (gs_vp_mul(gs_vp_mul(v, fade), C)).hi;
-        gs_v vy_here = (gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z)))).hi;
+        gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_mul(v, fade), C));
+        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z))));
         if (!gs_all(good)) {
             double vx_each[GS_LANES], vy_each[GS_LANES];
             gs_v_store(vx_each, vx_here);
@@ -16370,7 +16437,7 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, co
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -16458,7 +16525,7 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, c
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -16542,17 +16609,17 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, co
         gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -16632,10 +16699,10 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     const gs_vp once1 = gs_vp_mul(v, v);
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
@@ -16651,7 +16718,7 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -16745,7 +16812,7 @@ void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const 
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), g)), gs_vp_constant(3.0)), 8.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), g)), gs_vp_constant(3.0)), 8.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -16835,7 +16902,7 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), g)), gs_vp_constant(3.0)), 8.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), g)), gs_vp_constant(3.0)), 8.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -16920,17 +16987,17 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const 
         gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
         good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_v theta_used = gs_select(good, theta_here, one);
         const gs_turn a = gs_vp_angle(theta_used);
         const gs_vp S = gs_vp_sine(a);
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), gs_vp_range_loss(b)), g)), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), gs_vp_range_loss(b)), g)), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -17010,10 +17077,10 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
     const gs_v k_here = gs_v_of(k_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    known = gs_both(known, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
     const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
     const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_select(known, k_here, one));
+    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
     const gs_vp once1 = gs_vp_mul(v, v);
     while (count > 0) {
         const size_t here = count < GS_LANES ? count : GS_LANES;
@@ -17029,7 +17096,7 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
         const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
         const gs_vp C = gs_vp_cosine(a);
         const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = (gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), gs_vp_range_loss(b)), g)), 2.0)).hi;
+        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), gs_vp_range_loss(b)), g)), 2.0));
         if (!gs_all(good)) {
             double slope_each[GS_LANES];
             gs_v_store(slope_each, slope_here);
@@ -17115,7 +17182,7 @@ void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const doub
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        gs_v range_here = (gs_vp_div(gs_vp_mul(v, v), g)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_div(gs_vp_mul(v, v), g));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);
@@ -17189,12 +17256,12 @@ void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const doub
         const gs_v k_here = gs_v_load(k_in);
         gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
         good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(k_here, 0x1p-700, 0x1p+100));
+        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
         const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
         const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_select(good, k_here, one));
+        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
         const gs_vp alpha = gs_vp_div(gs_vp_mul(v, k), g);
-        gs_v range_here = (gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_max_range_factor(alpha)), g)).hi;
+        gs_v range_here = gs_vp_value(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_max_range_factor(alpha)), g));
         if (!gs_all(good)) {
             double range_each[GS_LANES];
             gs_v_store(range_each, range_here);

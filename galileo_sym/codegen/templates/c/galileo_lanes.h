@@ -1,5 +1,6 @@
-/* Arithmetic on pairs hi + lo, GS_LANES at a time, about 2^-100 relative, for arguments of ordinary size: there nothing
+/* Arithmetic on pairs hi + lo, GS_LANES at a time, about 2^-95 relative, for arguments of ordinary size: there nothing
  * overflows or underflows, and no flag is raised but 'inexact'. Other lanes are told apart first and go another way.
+ * hi need not be the nearest double: lo may be some units in its last place, as waiting for it would take too long.
  */
 #ifndef GALILEO_LANES_H
 #define GALILEO_LANES_H
@@ -36,6 +37,9 @@ static inline gs_mask gs_between_or_0(gs_v x, double least, double greatest)
     return gs_either(gs_between(x, least, greatest), gs_both(gs_at_least(x, zero), gs_at_least(zero, x)));
 }
 
+/* A rate, 0 where no time of ordinary size makes it felt. */
+static inline gs_v gs_felt(gs_v x) { return gs_select(gs_at_least(x, gs_v_of(0x1p-400)), x, gs_v_of(0.0)); }
+
 static inline gs_vp gs_vp_of(gs_v hi, gs_v lo)
 {
     const gs_vp r = {hi, lo};
@@ -49,13 +53,16 @@ static inline gs_vp gs_vp_sum(gs_v a, gs_v b)
     return gs_vp_of(s, gs_rest(a, b, s));
 }
 
+/* The nearest double but for a little. */
+static inline gs_v gs_vp_value(gs_vp a) { return gs_add(a.hi, a.lo); }
+
 static inline gs_vp gs_vp_load(gs_v x) { return gs_vp_of(x, gs_v_of(0.0)); }
 static inline gs_vp gs_vp_constant(double x) { return gs_vp_of(gs_v_of(x), gs_v_of(0.0)); }
 
 static inline gs_vp gs_vp_mul(gs_vp a, gs_vp b)
 {
     const gs_v p = gs_mul(a.hi, b.hi);
-    return gs_vp_sum(p, gs_fma(a.hi, b.lo, gs_fma(a.lo, b.hi, gs_product_rest(a.hi, b.hi, p))));
+    return gs_vp_of(p, gs_fma(a.hi, b.lo, gs_fma(a.lo, b.hi, gs_product_rest(a.hi, b.hi, p))));
 }
 
 /* One division: what the product with 1/b leaves is exact enough to be mended by it. */
@@ -64,21 +71,20 @@ static inline gs_vp gs_vp_div(gs_vp a, gs_vp b)
     const gs_v inverse = gs_div(gs_v_of(1.0), b.hi);
     const gs_v q = gs_mul(a.hi, inverse);
     const gs_v rest = gs_fnma(q, b.lo, gs_add(gs_fnma(q, b.hi, a.hi), a.lo));
-    return gs_vp_sum(q, gs_mul(rest, inverse));
+    return gs_vp_of(q, gs_mul(rest, inverse));
 }
 
 static inline gs_vp gs_vp_sqrt(gs_vp a)
 {
     const gs_v s = gs_sqrt(a.hi);
     const gs_v rest = gs_add(gs_fnma(s, s, a.hi), a.lo);
-    return gs_vp_sum(s, gs_div(rest, gs_add(s, s)));
+    return gs_vp_of(s, gs_mul(gs_mul(rest, gs_v_of(0.5)), gs_rough_inverse(s)));
 }
 
 static inline gs_vp gs_vp_add(gs_vp a, gs_vp b)
 {
     const gs_v s = gs_add(a.hi, b.hi), t = gs_add(a.lo, b.lo);
-    const gs_vp first = gs_vp_sum(s, gs_add(gs_sum_rest(a.hi, b.hi, s), t));
-    return gs_vp_sum(first.hi, gs_add(first.lo, gs_sum_rest(a.lo, b.lo, t)));
+    return gs_vp_sum(s, gs_add(gs_sum_rest(a.hi, b.hi, s), t));
 }
 
 static inline gs_vp gs_vp_sub(gs_vp a, gs_vp b)
