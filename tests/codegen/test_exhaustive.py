@@ -15,7 +15,7 @@ from galileo_sym.primitives.kernels import KERNELS
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools"))
 
-from exhaustive import certain, emitted, hard_cases, libraries, results, run, same_bits, sweep, wc_files  # noqa: E402
+from exhaustive import certain, emitted, hard_cases, libraries, results, run, same_bits, singles, sweep, wc_files  # noqa: E402
 
 INPUTS = 1 << 32
 REFERENCE_ERROR = Fraction(1, 2**64)  # as in reference.h
@@ -137,6 +137,28 @@ def test_the_committed_comparison_is_of_the_present_code(name):
     assert row["binary64"] + row["binary32"] >= 10**8
     assert len(row["versions"]) > 1
     assert row["differing"] == 0
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_the_quick_functions_were_held_to_those_by_pairs(name):
+    assert not results.stale(name, "singles"), f"the comparison of {name} is of other code: run `make singles`"
+    row = results.kept()["singles"][name]
+    assert row["differing"] == 0
+    assert max(row["inputs"].values()) == INPUTS
+
+
+def test_a_quick_function_with_other_bits_is_found(tmp_path, monkeypatch):
+    folder = tmp_path / "c"
+    shutil.copytree(emitted.c_folder(), folder)
+    header = folder / "galileo_lean.h"
+    text = header.read_text()
+    spoiled = re.sub(r"(gs_phi1m_lean0\) = \{\s+\S+ 0x1\.\w{5})\w{8}", r"\g<1>00000000", text, count=1)
+    assert spoiled != text
+    header.write_text(spoiled)
+    library = libraries.compile_tested(folder, tmp_path / "spoiled.so", quickly=True)
+    half = 0x3F000000 // singles.STRETCH  # floats from 0.5 on lie in the second piece
+    assert singles.differing(library, "phi1m", "plain", half).size > 0
+    assert singles.differing(library, "phi2m", "plain", half).size == 0
 
 
 def test_the_page_says_what_was_found():
