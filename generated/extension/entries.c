@@ -42,9 +42,11 @@ static gs_strength gs_read_number(PyObject *given, double *value)
     return GS_NO_NUMBER;
 }
 
-static int gs_plain_options(PyObject *const *options)
+/* None but a plain array for the only result. */
+static int gs_plain_options(const gs_function *row, PyObject *const *options)
 {
-    return options[0] == Py_None && options[1] == Py_True && options[2] == Py_None && options[3] == gs_same_kind;
+    const int no_target = options[0] == Py_None || (row->forms[0]->outputs == 1 && PyArray_CheckExact(options[0]));
+    return no_target && options[1] == Py_True && options[2] == Py_None && options[3] == gs_same_kind;
 }
 
 /* Bits of the forces that are not 0, of the numbers of all operands. */
@@ -139,13 +141,17 @@ static int gs_plain_array(PyObject *given)
 /* Results for arrays, of the ufunc; an int goes as a float, as it may be beyond every integer type. */
 static PyObject *gs_of_arrays(const gs_entry *entry, PyObject *const *args, const double *values, unsigned acting)
 {
-    PyObject *passed[GS_MOST_OPERANDS], *results = NULL;
+    PyObject *passed[GS_MOST_OPERANDS + 1], *const target = args[entry->row->operands], *results = NULL;
     size_t count = 0, known = 0;
     for (int i = 0; i < entry->row->operands; i++)
         if (gs_takes_part(entry->row, acting, i)) {
             passed[count] = PyLong_CheckExact(args[i]) ? PyFloat_FromDouble(values[i]) : Py_NewRef(args[i]);
             known += passed[count++] != NULL;
         }
+    if (target != Py_None) {
+        passed[count++] = Py_NewRef(target);
+        known++;
+    }
     if (known == count)
         results = PyObject_Vectorcall(entry->ufuncs[acting], passed, count, NULL);
     while (count > 0)
@@ -161,7 +167,8 @@ static PyObject *gs_call(PyObject *self, PyObject *const *args, size_t flags, Py
     double values[GS_MOST_OPERANDS];
     gs_strength strengths[GS_MOST_OPERANDS], strongest = GS_WEAK;
     int numbers = 0;
-    if (names != NULL || given != row->operands + GS_OPTIONS || !gs_plain_options(args + row->operands))
+    PyObject *const target = given > row->operands ? args[row->operands] : Py_None;
+    if (names != NULL || given != row->operands + GS_OPTIONS || !gs_plain_options(row, args + row->operands))
         return PyObject_Vectorcall(entry->otherwise, args, flags, names);
     for (int i = 0; i < row->operands; i++) {
         const gs_strength one = strengths[i] = gs_read_number(args[i], values + i);
@@ -177,6 +184,8 @@ static PyObject *gs_call(PyObject *self, PyObject *const *args, size_t flags, Py
         numbers += one != GS_NO_NUMBER;
         strongest = one > strongest ? one : strongest;
     }
+    if (numbers == row->operands && target != Py_None)
+        return PyObject_Vectorcall(entry->otherwise, args, flags, names);
     if (numbers == row->operands) {
         PyObject *results = gs_of_numbers(row, values, strongest);
         if (results != NULL || PyErr_Occurred())
