@@ -6,6 +6,7 @@ import os
 import tempfile
 from importlib import resources
 from importlib.util import find_spec
+from itertools import product
 from pathlib import Path
 
 import mpmath
@@ -135,11 +136,11 @@ def _sources():
     files["c/galileo_singles.h"] = _c("templates/c/galileo_singles.h", singles)
     files["c/galileo_scaled.h"] = _c("the catalogue", lanes.scaled_header())
     files["c/galileo_forms.h"] = _c("the stable forms of both papers", lanes.forms_header())
-    for name in ("special", "lanes"):
-        target = _template(f"c/{name}_target.c")
-        for suffix in kernels.TARGETS:
-            text = kernels.target_source(target, suffix)
-            files[f"c/{name}_{suffix}.c"] = _c(f"templates/c/{name}_target.c", text)
+    for name, suffix in product(kernels.VERSIONED, kernels.TARGETS):
+        text = kernels.target_source(_template("c/target.c"), name, suffix)
+        files[f"c/{name}_{suffix}.c"] = _c("templates/c/target.c", text)
+    versions = _template("c/galileo_versions.h").replace("@CONDITION@", kernels.CONDITION)
+    files["c/galileo_versions.h"] = _c("templates/c/galileo_versions.h", versions)
     files["c/lanes.c"] = _c("the stable forms of both papers", lanes.public_source(_template("c/lanes.c")))
     files["c/special.c"] = _c("templates/c/special.c", kernels.public_source(_template("c/special.c")))
     for name in _C_TEMPLATES:

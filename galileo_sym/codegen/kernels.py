@@ -126,11 +126,19 @@ def _loops():
     return "".join(f"GS_LOOPS({name})\n" for name in KERNELS)
 
 
-def target_source(template, suffix):
-    """Return the source of one version of all primitives."""
+# source: (what it holds, the header that defines it, what instantiates it there)
+VERSIONED = {
+    "special": ("The primitives", "galileo_singles.h", _loops()),
+    "lanes": ("The formulas of the papers", "galileo_forms.h", ""),
+}
+
+
+def target_source(template, name, suffix):
+    """Return the text of one version of a source of `VERSIONED`."""
     machine, features, lanes = TARGETS[suffix]
+    what, header, loops = VERSIONED[name]
     words = {"MACHINE": machine, "FEATURES": features, "LANES": str(lanes), "SUFFIX": suffix, "CONDITION": CONDITION}
-    for word, text in (words | {"LOOPS": _loops()}).items():
+    for word, text in (words | {"WHAT": what, "HEADER": header, "LOOPS": loops}).items():
         template = template.replace(f"@{word}@", text)
     return template
 

@@ -72,7 +72,7 @@ def forms_header():
     definitions = "\n".join(definition(f, s, shape, arithmetic) for f, s in forms() for shape, arithmetic in _every(f))
     return (
         "#ifndef GALILEO_FORMS_H\n#define GALILEO_FORMS_H\n\n"
-        f'#include "galileo_scaled.h"\n#include "galileo_single.h"\n\n{definitions}\n#endif\n'
+        f'#include "galileo_loops.h"\n#include "galileo_scaled.h"\n#include "galileo_single.h"\n\n{definitions}\n#endif\n'
     )
 
 

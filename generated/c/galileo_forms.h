@@ -2,6 +2,7 @@
 #ifndef GALILEO_FORMS_H
 #define GALILEO_FORMS_H
 
+#include "galileo_loops.h"
 #include "galileo_scaled.h"
 #include "galileo_single.h"
 

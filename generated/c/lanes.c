@@ -4,16 +4,10 @@
 
 #define GS_LANES 1
 #define GS_SUFFIX _plain
-#include "galileo_loops.h"
 #include "galileo_forms.h"
+#include "galileo_versions.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(GS_PORTABLE)
-static int gs_has_wide_vectors(void)
-{
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq")
-        && __builtin_cpu_supports("avx512vl");
-}
-static int gs_has_vectors(void) { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 void gs_chord_descent_time_free_n_avx512(size_t n, const double *theta, const double *diameter, const double *g, double *time);
 void gs_chord_descent_time_free_nf_avx512(size_t n, const float *theta, const float *diameter, const float *g, float *time);
 void gs_chord_descent_time_free_nu_avx512(size_t n, const double *theta, double diameter, double g, double *time);
@@ -416,12 +410,6 @@ void gs_projectile_max_range_free_n_fma(size_t n, const double *v, const double 
 void gs_projectile_max_range_free_nf_fma(size_t n, const float *v, const float *g, float *range);
 void gs_projectile_max_range_drag_n_fma(size_t n, const double *v, const double *g, const double *k, double *range);
 void gs_projectile_max_range_drag_nf_fma(size_t n, const float *v, const float *g, const float *k, float *range);
-#define GS_CHOOSE(name)                                                                                                \
-    (gs_has_wide_vectors() ? name##_avx512 : gs_has_vectors() ? name##_avx2 : name##_plain)
-#define GS_CHOOSE_SINGLE(name) (gs_has_vectors() ? name##_fma : name##_plain)
-#else
-#define GS_CHOOSE(name) name##_plain
-#define GS_CHOOSE_SINGLE(name) name##_plain
 #endif
 
 double gs_chord_descent_time_free(double theta, double diameter, double g)

@@ -10467,11 +10467,17 @@ static inline gs_mask gs_arctan_quick(gs_v wide, gs_v *r)
 
 GS_SINGLES(arctan)
 #endif
+/* The choice of a version for this machine, at each call; without versions the plain one, whose names end in _plain. */
+#ifndef GALILEO_VERSIONS_H
+#define GALILEO_VERSIONS_H
 
-#define GS_VECTORS "plain"
-#define GS_DECLARE(name)
 #define GS_CHOOSE(name) name##_plain
 #define GS_CHOOSE_SINGLE(name) name##_plain
+#define GS_VECTORS "plain"
+
+#endif
+
+#define GS_DECLARE(name)
 
 /* 'divide by zero' for a pole at 0. Kernels do not raise it: the lanes that a short array leaves empty hold 0. */
 #define GS_POLE_AT_0(n, x)                                                                                             \
@@ -10485,60 +10491,42 @@ GS_SINGLES(arctan)
 #define GS_NO_POLE(n, x) (void)0
 
 /* Kernels may raise 'underflow' in what they select away: it stays where it is due, a result being tiny. */
-static void gs_excuse(int before, size_t n, const double *value, int zero_is_tiny)
-{
-    if (before || !fetestexcept(FE_UNDERFLOW))
-        return;
-    for (size_t i = 0; i < n; i++)
-        if (isless(fabs(value[i]), DBL_MIN) && (value[i] != 0.0 || zero_is_tiny))
-            return;
-    feclearexcept(FE_UNDERFLOW);
-}
-static void gs_excuse_single(int before, size_t n, const float *value, int zero_is_tiny)
-{
-    if (before || !fetestexcept(FE_UNDERFLOW))
-        return;
-    for (size_t i = 0; i < n; i++)
-        if (isless(fabsf(value[i]), FLT_MIN) && (value[i] != 0.0f || zero_is_tiny))
-            return;
-    feclearexcept(FE_UNDERFLOW);
-}
+#define GS_EXCUSING(name, real, least)                                                                                 \
+    static void name(int before, size_t n, const real *value, int zero_is_tiny)                                        \
+    {                                                                                                                  \
+        if (before || !fetestexcept(FE_UNDERFLOW))                                                                     \
+            return;                                                                                                    \
+        for (size_t i = 0; i < n; i++)                                                                                 \
+            if (isless(fabs(value[i]), least) && (value[i] != 0 || zero_is_tiny))                                      \
+                return;                                                                                                \
+        feclearexcept(FE_UNDERFLOW);                                                                                   \
+    }
+
+GS_EXCUSING(gs_excuse_n, double, DBL_MIN)
+GS_EXCUSING(gs_excuse_nf, float, FLT_MIN)
+
+#define GS_SERVED(name, real, inner, array, number, LOOK, zero)                                                        \
+    void gs_special_##name##array(size_t n, const real *x, real *value)                                                \
+    {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
+        LOOK(n, x);                                                                                                    \
+        GS_CHOOSE(gs_##name##inner)(n, x, value);                                                                      \
+        gs_excuse##array(before, n, value, zero);                                                                      \
+    }                                                                                                                  \
+    real gs_special_##name##number(real x)                                                                             \
+    {                                                                                                                  \
+        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
+        LOOK(1, &x);                                                                                                   \
+        GS_CHOOSE_SINGLE(gs_##name##inner)(1, &x, &x);                                                                 \
+        gs_excuse##array(before, 1, &x, zero);                                                                         \
+        return x;                                                                                                      \
+    }
 
 #define GS_PUBLIC(name, LOOK, zero)                                                                                    \
     GS_DECLARE(gs_##name)                                                                                              \
     GS_LOOPS(name)                                                                                                     \
-    void gs_special_##name##_n(size_t n, const double *x, double *value)                                               \
-    {                                                                                                                  \
-        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
-        LOOK(n, x);                                                                                                    \
-        GS_CHOOSE(gs_##name##_n)(n, x, value);                                                                         \
-        gs_excuse(before, n, value, zero);                                                                             \
-    }                                                                                                                  \
-    void gs_special_##name##_nf(size_t n, const float *x, float *value)                                                \
-    {                                                                                                                  \
-        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
-        LOOK(n, x);                                                                                                    \
-        GS_CHOOSE(gs_##name##_ns)(n, x, value);                                                                        \
-        gs_excuse_single(before, n, value, zero);                                                                      \
-    }                                                                                                                  \
-    double gs_special_##name(double x)                                                                                 \
-    {                                                                                                                  \
-        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
-        LOOK(1, &x);                                                                                                   \
-        GS_CHOOSE_SINGLE(gs_##name##_n)(1, &x, &x);                                                                    \
-        gs_excuse(before, 1, &x, zero);                                                                                \
-        return x;                                                                                                      \
-    }                                                                                                                  \
-    float gs_special_##name##f(float x)                                                                                \
-    {                                                                                                                  \
-        const int before = fetestexcept(FE_UNDERFLOW);                                                                 \
-        LOOK(1, &x);                                                                                                   \
-        GS_CHOOSE_SINGLE(gs_##name##_ns)(1, &x, &x);                                                                   \
-        gs_excuse_single(before, 1, &x, zero);                                                                         \
-        return x;                                                                                                      \
-    }
-
-const char *gs_vectors(void) { return GS_VECTORS; }
+    GS_SERVED(name, double, _n, _n, , LOOK, zero)                                                                      \
+    GS_SERVED(name, float, _ns, _nf, f, LOOK, zero)
 
 GS_PUBLIC(phi1m, GS_NO_POLE, 0)
 GS_PUBLIC(phi2m, GS_NO_POLE, 0)
@@ -10559,11 +10547,10 @@ GS_PUBLIC(arctan, GS_NO_POLE, 0)
 #undef GS_SUFFIX
 #undef GS_DECLARED
 #undef GS_DECLARE
-#undef GS_CHOOSE
-#undef GS_CHOOSE_SINGLE
-#undef GS_VECTORS
 #undef GS_POLE_AT_0
 #undef GS_NO_POLE
+#undef GS_EXCUSING
+#undef GS_SERVED
 #undef GS_PUBLIC
 
 /* ---- lanes.c ---- */
@@ -17324,8 +17311,6 @@ void GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(size_t count, const flo
 
 #endif
 
-#define GS_CHOOSE(name) name##_plain
-#define GS_CHOOSE_SINGLE(name) name##_plain
 
 double gs_chord_descent_time_free(double theta, double diameter, double g)
 {
@@ -18821,8 +18806,6 @@ void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const 
     GS_CHOOSE(gs_projectile_max_range_drag_nf)(n, v, g, k, range);
 }
 #undef GS_SUFFIX
-#undef GS_CHOOSE
-#undef GS_CHOOSE_SINGLE
 #undef gs_add
 #undef gs_div
 #undef gs_mantissa

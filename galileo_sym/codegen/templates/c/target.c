@@ -1,4 +1,4 @@
-/* The primitives for @MACHINE@. */
+/* @WHAT@ for @MACHINE@. */
 #if @CONDITION@
 
 #if defined(__clang__) /* or it evaluates what is selected away, and raises its flags */
@@ -19,7 +19,7 @@
 
 #define GS_LANES @LANES@
 #define GS_SUFFIX _@SUFFIX@
-#include "galileo_singles.h"
+#include "@HEADER@"
 
 @LOOPS@
 #if defined(__clang__)
