@@ -6,11 +6,10 @@ from importlib import import_module
 import numpy as np
 
 from galileo_sym._types import DOUBLE, PYTHON_NUMBERS, SINGLE, as_operand, asked_dtype, common_dtype, is_foreign
+from galileo_sym.generated._chunks import CHUNK
 from galileo_sym.generated._functions import FUNCTIONS, SPECIAL
 from galileo_sym.generated._lines import to_odd
 from galileo_sym.generated._tables import HALF_PI
-
-_CHUNK = 8192  # doubles of each argument at a time, so that what lies between stays in cache
 
 
 def _widen(array, is_angle):
@@ -125,7 +124,7 @@ class StandIn:
             dtypes,
             order=order,
             casting=casting,
-            buffersize=_CHUNK,
+            buffersize=CHUNK,
         )
         with iterator:
             for chunk in iterator:

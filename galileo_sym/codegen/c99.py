@@ -2,7 +2,6 @@
 
 from galileo_sym.catalogue import FUNCTIONS
 from galileo_sym.codegen import lanes
-from galileo_sym.codegen.forms import VALUES, scaled_name
 from galileo_sym.codegen.printing import (
     PRIMITIVE_TEXT,
     ROUTINE_TEXT,
@@ -12,6 +11,18 @@ from galileo_sym.codegen.printing import (
     undecided_text,
 )
 from galileo_sym.codegen.schedule import balance_name, schedule
+from galileo_sym.codegen.signatures import (
+    ARRAYS,
+    VALUES,
+    array_signature,
+    fullest,
+    is_single,
+    letter,
+    name_of,
+    scalar_signature,
+    scaled_name,
+    variants,
+)
 from galileo_sym.solvers import SOLVERS
 
 _DOMAIN_TESTS = {
@@ -21,58 +32,29 @@ _DOMAIN_TESTS = {
     "elevation": "gs_elevation",
 }
 _DECIDED = "0"
-_ANGLES = ("chord angle", "elevation")
 _TYPES = {"angle": "gs_direction", "decay": "gs_decay_values", "launch": "gs_angles"}
 _AT_REST = {0.0: "0.0", float("inf"): "INFINITY"}
 
 
-def c_name(function, force_set, ending=""):
-    """Return the C name of a kernel; an empty force set gives the unsuffixed one."""
-    return f"gs_{function.paper}_{function.name}" + (f"_{force_set}" if force_set else "") + ending
-
-
-def _fullest(function):
-    return max(function.variants, key=lambda force_set: len(function.variants[force_set][0]))
-
-
-def variants(function):
-    """Return (suffix, force set) of every C function; the one without a suffix takes all arguments."""
-    return [*((s, s) for s in function.variants if s), ("", _fullest(function))]
-
-
-def _single(function):
-    return len(function.outputs) == 1
-
-
 def _scalar_signature(function, suffix, force_set, kind):
-    """Signature of a scalar function of ``double`` or ``float``."""
-    parameters = [f"{kind} {a.name}" for a in function.arguments(force_set)]
-    if not _single(function):
-        parameters += [f"{kind} *{o.name}" for o in function.outputs]
-    name = c_name(function, suffix, "f" if kind == "float" else "")
-    return f"{kind if _single(function) else 'void'} {name}({', '.join(parameters)})"
+    return scalar_signature(function, force_set, kind, name_of(function, suffix, letter(kind)))
 
 
 def _array_signature(function, suffix, force_set, kind):
-    """Signature of an array function."""
-    parameters = ["size_t n", *(f"const {kind} *{a.name}" for a in function.arguments(force_set))]
-    parameters += [f"{kind} *{o.name}" for o in function.outputs]
-    name = c_name(function, suffix, "_nf" if kind == "float" else "_n")
-    return f"void {name}({', '.join(parameters)})"
+    return array_signature(function, force_set, ARRAYS, kind, public=suffix)
 
 
 def _signatures(function, suffix, force_set):
     for kind in ("double", "float"):
         yield _scalar_signature(function, suffix, force_set, kind)
         yield _array_signature(function, suffix, force_set, kind)
-        if lanes.in_lanes(function) and VALUES in lanes.shapes(function):
-            arithmetic = next(each for each in lanes.ARITHMETICS if each.kind == kind)
-            yield lanes.signature(function, force_set, VALUES, arithmetic, public=suffix)
+        if lanes.takes_values(function):
+            yield array_signature(function, force_set, VALUES, kind, public=suffix)
 
 
 def _guard(function, condition, value):
     """Lines that give every output the same value and return, under a condition."""
-    if _single(function):
+    if is_single(function):
         return [f"    if ({condition})", f"        return {value};"]
     targets = " = ".join(f"*{o.name}_out" for o in function.outputs)
     return [f"    if ({condition}) {{", f"        {targets} = {value};", "        return;", "    }"]
@@ -98,12 +80,12 @@ def _clash(pairs):
 def _routine_kernel(function, force_set):
     """A kernel that hands over to a function of the templates."""
     passed = [a.name for a in function.arguments(force_set)]
-    passed += [] if _single(function) else [o.name for o in function.outputs]
+    passed += [] if is_single(function) else [o.name for o in function.outputs]
     name = f"gs_{function.routine.split('.')[1]}"
     return (
         f"/* {sources_text(function, force_set)}.\n * {ROUTINE_TEXT} */\n"
         f"{_scalar_signature(function, force_set, force_set, 'double')}\n{{\n"
-        f"    {'return ' * _single(function)}{name}({', '.join(passed)});\n}}\n"
+        f"    {'return ' * is_single(function)}{name}({', '.join(passed)});\n}}\n"
     )
 
 
@@ -115,12 +97,12 @@ def _primitive_kernels(function):
     called = f"gs_special_{function.primitive}"
     return head + "".join(
         f"{signature}\n{{\n    {call}\n}}\n"
-        for kind, letter in (("double", ""), ("float", "f"))
+        for kind in ("double", "float")
         for signature, call in (
-            (_scalar_signature(function, "", force_set, kind), f"return {called}{letter}({argument.name});"),
+            (_scalar_signature(function, "", force_set, kind), f"return {called}{letter(kind)}({argument.name});"),
             (
                 _array_signature(function, "", force_set, kind),
-                f"{called}_n{letter}(n, {argument.name}, {output.name});",
+                f"{called}_n{letter(kind)}(n, {argument.name}, {output.name});",
             ),
         )
     )
@@ -148,7 +130,7 @@ def _balance(name, plan, unknown):
 
 
 def _most_name(function, force_set, kind):
-    return f"gs_most_of_{function.name}_{force_set}{'f' * (kind == 'float')}"
+    return f"gs_most_of_{function.name}_{force_set}{letter(kind)}"
 
 
 def _others(function, force_set):
@@ -163,9 +145,9 @@ def _most(function, force_set):
     return "/* The largest value that is told, without flags: it is only compared with. */\n" + "".join(
         f"static inline {kind} {_most_name(function, force_set, kind)}({taken[kind]})\n{{\n"
         f"    fenv_t flags;\n    feholdexcept(&flags);\n"
-        f"    const volatile {kind} most = {c_name(public, force_set, letter)}({', '.join(others)});\n"
+        f"    const volatile {kind} most = {name_of(public, force_set, letter(kind))}({', '.join(others)});\n"
         f"    fesetenv(&flags);\n    return most;\n}}\n"
-        for kind, letter in (("double", ""), ("float", "f"))
+        for kind in taken
     )
 
 
@@ -196,11 +178,8 @@ def kernel(function, force_set):
     plan = schedule(function, force_set)
     arguments = function.arguments(force_set)
     symbols = {a.symbol: a.name for a in arguments}
-    parameters = [f"double {a.name}_in" for a in arguments]
-    if not _single(function):
-        parameters += [f"double *{o.name}_out" for o in function.outputs]
-    name = scaled_name(function, force_set) if lanes.in_lanes(function) else c_name(function, force_set)
-    head = f"{'double' if _single(function) else 'void'} {name}({', '.join(parameters)})"
+    name = (scaled_name if lanes.in_lanes(function) else name_of)(function, force_set)
+    head = scalar_signature(function, force_set, "double", name, "{}_in", "{}_out")
     missing = " || ".join(f"isnan({a.name}_in)" for a in arguments)
     inside = " && ".join(f"{_DOMAIN_TESTS[a.domain]}({a.name}_in)" for a in arguments)
     lines = [
@@ -219,7 +198,7 @@ def kernel(function, force_set):
         if node[0] == "driving":
             lines += _guard(function, f"{name}.hi <= 0.0", _AT_REST[function.outputs[0].at_rest])
     results = [_result(function, force_set, o, r) for o, r in zip(function.outputs, plan.results, strict=True)]
-    if _single(function):
+    if is_single(function):
         lines.append(f"    return {results[0]};")
     else:
         lines += [f"    *{o.name}_out = {r};" for o, r in zip(function.outputs, results, strict=True)]
@@ -234,21 +213,19 @@ def kernel(function, force_set):
 
 def _forward(function):
     """Definition of the unsuffixed function: the kernel of all forces."""
-    signature = _scalar_signature(function, "", _fullest(function), "double")
-    passed = [a.name for a in function.arguments(_fullest(function))]
-    passed += [] if _single(function) else [o.name for o in function.outputs]
-    call = f"{c_name(function, _fullest(function))}({', '.join(passed)});"
-    return f"{signature}\n{{\n    {'return ' if _single(function) else ''}{call}\n}}\n"
+    signature = _scalar_signature(function, "", fullest(function), "double")
+    passed = [a.name for a in function.arguments(fullest(function))]
+    passed += [] if is_single(function) else [o.name for o in function.outputs]
+    call = f"{name_of(function, fullest(function))}({', '.join(passed)});"
+    return f"{signature}\n{{\n    {'return ' if is_single(function) else ''}{call}\n}}\n"
 
 
 def _widened(function, suffix, argument):
-    """An argument in double; the float next to pi/2 counts as pi/2, that next to the largest value as the largest."""
-    if argument.domain in _ANGLES:
-        return f"gs_widen_angle({argument.name})"
+    """An argument in double; the float next to the largest value counts as the largest."""
     ceiling = function.ceiling
     if ceiling is None or ceiling.argument != argument.name:
         return f"(double){argument.name}"
-    force_set = suffix or _fullest(function)
+    force_set = suffix or fullest(function)
     others = ", ".join(_others(function, force_set))
     single, double = (f"{_most_name(function, force_set, kind)}({others})" for kind in ("float", "double"))
     return f"gs_widen_to({argument.name}, {single}, {double})"
@@ -259,20 +236,22 @@ def _narrow(function, suffix, force_set):
     arguments = function.arguments(force_set)
     passed = ", ".join(_widened(function, suffix, a) for a in arguments)
     signature = _scalar_signature(function, suffix, force_set, "float")
-    if _single(function):
-        return f"{signature}\n{{\n    return (float){c_name(function, suffix)}({passed});\n}}\n"
+    if is_single(function):
+        return f"{signature}\n{{\n    return (float){name_of(function, suffix)}({passed});\n}}\n"
     names = [o.name for o in function.outputs]
     wide = ", ".join(f"{n}_wide" for n in names)
     pointers = ", ".join(f"&{n}_wide" for n in names)
     stores = "\n".join(f"    *{n} = (float){n}_wide;" for n in names)
-    return f"{signature}\n{{\n    double {wide};\n    {c_name(function, suffix)}({passed}, {pointers});\n{stores}\n}}\n"
+    return (
+        f"{signature}\n{{\n    double {wide};\n    {name_of(function, suffix)}({passed}, {pointers});\n{stores}\n}}\n"
+    )
 
 
 def _loop(function, suffix, force_set, kind):
     """Definition of an array function."""
-    scalar = c_name(function, suffix, "f" if kind == "float" else "")
+    scalar = name_of(function, suffix, letter(kind))
     passed = ", ".join(f"{a.name}[i]" for a in function.arguments(force_set))
-    if _single(function):
+    if is_single(function):
         body = f"{function.outputs[0].name}[i] = {scalar}({passed});"
     else:
         body = f"{scalar}({passed}, {', '.join(f'{o.name} + i' for o in function.outputs)});"
@@ -285,11 +264,9 @@ def source(paper):
     parts = []
     for function in (f for f in FUNCTIONS.values() if f.paper == paper):
         parts += [kernel(function, force_set) for force_set in function.variants]
-        if function.primitive:
+        if function.primitive or lanes.in_lanes(function):
             continue
-        if lanes.in_lanes(function):
-            continue
-        if _fullest(function):
+        if fullest(function):
             parts.append(_forward(function))
         for suffix, force_set in variants(function):
             parts.append(_loop(function, suffix, force_set, "double"))
@@ -299,7 +276,7 @@ def source(paper):
 
 
 def _comment(function):
-    arguments = "\n".join(f" *   {a.name} [{a.unit}]: {a.doc}" for a in function.arguments(_fullest(function)))
+    arguments = "\n".join(f" *   {a.name} [{a.unit}]: {a.doc}" for a in function.arguments(fullest(function)))
     outputs = "\n".join(f" *   {o.name} [{o.unit}]: {o.doc}" for o in function.outputs)
     sources = "\n".join(f" *   {s or 'only form'}: {', '.join(function.sources(s))}" for s in function.variants)
     rest = {o.at_rest for o in function.outputs} - {None}

@@ -46,11 +46,9 @@ _NUMPY_TEMPLATES = (
     "_launch.py",
     "_lines.py",
     "_near.py",
-    "_pairs.py",
     "_primitives.py",
     "_roots.py",
     "_scaled.py",
-    "_turn.py",
 )
 _C_TEMPLATES = (
     "branches.c",
@@ -112,7 +110,7 @@ def _sources():
         files[name] = _python(f"templates/numpy/{name}", _template(f"numpy/{name}"))
     files["_tables.py"] = _python("the tables of galileo_sym.primitives", tables.numpy_tables())
     files["_pieces.py"] = _python("the coefficients of galileo_sym.primitives", numpy_kernels.pieces())
-    files["_steps.py"] = _python("sine, cosine and exponential", numpy_steps.module())
+    files["_steps.py"] = _python("the powers of 2", numpy_steps.module())
     files["special.py"] = _python("the frames of galileo_sym.primitives", numpy_kernels.special())
     for paper in _papers():
         files[f"{paper}.py"] = _python(f"the stable forms of {paper}", numpy.module(paper))

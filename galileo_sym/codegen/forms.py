@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 
 from galileo_sym.codegen.printing import counts_text, sources_text
 from galileo_sym.codegen.schedule import schedule
+from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name
 
-ARRAYS, VALUES = "n", "nu"  # the shapes: all arguments arrays; the keyword arguments one value each
 _RATES = ("gamma", "k")  # they enter by factors that are 1 where they are small, so that 0 stands for the smallest
 _AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
 
@@ -19,14 +19,13 @@ _AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
 class Arithmetic:
     """How a form computes: C types, what its operations begin with, and which of them may fail in a lane.
 
-    ``kind`` is the type of arguments and results, ``ending`` that of names; ``number`` and ``turn`` the types of values
+    ``kind`` is the type of arguments and results; ``number`` and ``turn`` the types of values
     and angles. ``load``, ``store``, ``padded`` name what moves vectors; ``taken`` makes a number of a lane's argument,
     ``rate`` of one that is a rate, ``value`` a lane's result of a number; ``widened`` makes a double of an argument for
     the scaled form. ``ordinary`` tests arguments by domain; ``failing`` gives the masks that an operation changes.
     """
 
     kind: str
-    ending: str
     prefix: str
     number: str
     turn: str
@@ -43,7 +42,6 @@ class Arithmetic:
 
 DOUBLE = Arithmetic(
     kind="double",
-    ending="",
     prefix="gs_vp_",
     number="gs_vp",
     turn="gs_turn",
@@ -66,7 +64,6 @@ DOUBLE = Arithmetic(
 )
 SINGLE = Arithmetic(
     kind="float",
-    ending="f",
     prefix="gs_s_",
     number="gs_v",
     turn="gs_turn_single",
@@ -87,23 +84,6 @@ SINGLE = Arithmetic(
     },
     failing={"driving": ("good", "held"), "add": ("good",), "sub": ("good",)},
 )
-
-
-def name_of(function, force_set):
-    """Return the C name of a form without its ending; an empty force set gives the unsuffixed one."""
-    return f"gs_{function.paper}_{function.name}" + (f"_{force_set}" if force_set else "")
-
-
-def scaled_name(function, force_set):
-    """Return the C name of the scaled form, for single numbers of any size."""
-    return name_of(function, force_set).replace("gs_", "gs_scaled_", 1)
-
-
-def parameters(function, force_set, shape, kind):
-    """Return (type, name) of the C parameters of a form."""
-    arrays = function.positional if shape == VALUES else [a.name for a in function.arguments(force_set)]
-    given = [(f"const {kind} *" if a.name in arrays else f"{kind} ", a.name) for a in function.arguments(force_set)]
-    return [("size_t ", "n"), *given, *((f"{kind} *", o.name) for o in function.outputs)]
 
 
 def _operands(node):
@@ -181,7 +161,7 @@ class _Form:
         given = parameters(self.function, self.force_set, self.shape, self.arithmetic.kind)
         names = ["count", *(f"{a.name}_in" for a in self.arguments), *(f"{o}_out" for o in self.outputs)]
         signature = ", ".join(f"{kind}{name}" for (kind, _), name in zip(given, names, strict=True))
-        name = f"{name_of(self.function, self.force_set)}_{self.shape}{self.arithmetic.ending}"
+        name = f"{name_of(self.function, self.force_set)}_{self.shape}{letter(self.arithmetic.kind)}"
         return [
             f"/* {sources_text(self.function, self.force_set)}.",
             f" * Operations: {counts_text(self.plan)}. */",
@@ -231,7 +211,7 @@ class _Form:
             *(f"    gs_v_store({name}_each, {name}_here);" for name in self.outputs),
             "    for (size_t j = 0; j < here; j++)",
             "        if (!(gs_bits_of(good) >> j & 1))",
-            f"            {single if len(self.outputs) == 1 else several}",
+            f"            {single if is_single(self.function) else several}",
             *(f"    {name}_here = gs_v_load({name}_each);" for name in self.outputs),
             "}",
         ]

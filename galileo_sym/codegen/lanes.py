@@ -3,9 +3,21 @@
 from itertools import product
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.forms import ARRAYS, DOUBLE, SINGLE, VALUES, definition, name_of, parameters, scaled_name
+from galileo_sym.codegen.forms import DOUBLE, SINGLE, definition
 from galileo_sym.codegen.kernels import CONDITION, TARGETS, table_text
 from galileo_sym.codegen.pairs import IN_LANES
+from galileo_sym.codegen.signatures import (
+    ARRAYS,
+    VALUES,
+    array_signature,
+    fullest,
+    is_single,
+    letter,
+    name_of,
+    parameters,
+    scalar_signature,
+    scaled_name,
+)
 from galileo_sym.primitives.tables import TURN_COUNT, TURN_STEP, constants, turn_rows
 
 ARITHMETICS = (DOUBLE, SINGLE)
@@ -24,6 +36,11 @@ def forms():
 def shapes(function):
     """Return the shapes of a function's forms."""
     return (ARRAYS, VALUES) if function.positional and function.keywords else (ARRAYS,)
+
+
+def takes_values(function):
+    """Whether there are forms of one value for each keyword argument."""
+    return in_lanes(function) and VALUES in shapes(function)
 
 
 def _every(function):
@@ -59,11 +76,7 @@ def scaled_header():
         "#ifndef GALILEO_SCALED_H\n#define GALILEO_SCALED_H\n\n"
         "/* The formulas on scaled pairs: for single numbers of any size, where the forms on vectors do not serve. */\n"
     ]
-    for function, force_set in forms():
-        given = [f"double {a.name}" for a in function.arguments(force_set)]
-        given += [] if len(function.outputs) == 1 else [f"double *{o.name}" for o in function.outputs]
-        kind = "double" if len(function.outputs) == 1 else "void"
-        out.append(f"{kind} {scaled_name(function, force_set)}({', '.join(given)});\n")
+    out += [f"{scalar_signature(f, s, 'double', scaled_name(f, s))};\n" for f, s in forms()]
     return "".join([*out, "\n#endif\n"])
 
 
@@ -72,57 +85,48 @@ def forms_header():
     definitions = "\n".join(definition(f, s, shape, arithmetic) for f, s in forms() for shape, arithmetic in _every(f))
     return (
         "#ifndef GALILEO_FORMS_H\n#define GALILEO_FORMS_H\n\n"
-        f'#include "galileo_loops.h"\n#include "galileo_scaled.h"\n#include "galileo_single.h"\n\n{definitions}\n#endif\n'
+        '#include "galileo_loops.h"\n#include "galileo_scaled.h"\n#include "galileo_single.h"\n\n'
+        f"{definitions}\n#endif\n"
     )
-
-
-def signature(function, force_set, shape, arithmetic, ending="", public=None):
-    """Return the C signature of a form; ``public`` is the force set in its name, if that is another."""
-    given = ", ".join("".join(pair) for pair in parameters(function, force_set, shape, arithmetic.kind))
-    name = name_of(function, force_set if public is None else public)
-    return f"void {name}_{shape}{arithmetic.ending}{ending}({given})"
 
 
 def _declarations(suffix):
     """Declarations of one version of all forms."""
     return "".join(
-        f"{signature(f, s, shape, arithmetic, f'_{suffix}')};\n" for f, s in forms() for shape, arithmetic in _every(f)
+        f"{array_signature(f, s, shape, arithmetic.kind, version=f'_{suffix}')};\n"
+        for f, s in forms()
+        for shape, arithmetic in _every(f)
     )
 
 
-def _chooser(function, force_set, shape, arithmetic, public):
-    names = ", ".join(name for _, name in parameters(function, force_set, shape, arithmetic.kind))
+def _chooser(function, force_set, shape, kind, public):
+    names = ", ".join(name for _, name in parameters(function, force_set, shape, kind))
     return (
-        f"{signature(function, force_set, shape, arithmetic, public=public)}\n{{\n"
-        f"    GS_CHOOSE({name_of(function, force_set)}_{shape}{arithmetic.ending})({names});\n}}\n\n"
+        f"{array_signature(function, force_set, shape, kind, public)}\n{{\n"
+        f"    GS_CHOOSE({name_of(function, force_set)}_{shape}{letter(kind)})({names});\n}}\n\n"
     )
 
 
-def _scalar(function, force_set, arithmetic, public):
-    kind = arithmetic.kind
-    given = [f"{kind} {a.name}" for a in function.arguments(force_set)]
+def _scalar(function, force_set, kind, public):
+    signature = scalar_signature(function, force_set, kind, name_of(function, public, letter(kind)))
     passed = [f"&{a.name}" for a in function.arguments(force_set)]
-    call = f"GS_CHOOSE_SINGLE({name_of(function, force_set)}_{ARRAYS}{arithmetic.ending})"
-    name = f"{name_of(function, public)}{arithmetic.ending}"
-    if len(function.outputs) == 1:
-        (output,) = function.outputs
-        return (
-            f"{kind} {name}({', '.join(given)})\n{{\n    {kind} {output.name};\n"
-            f"    {call}(1, {', '.join([*passed, f'&{output.name}'])});\n    return {output.name};\n}}\n\n"
-        )
-    outputs = [o.name for o in function.outputs]
-    given += [f"{kind} *{o}" for o in outputs]
-    return f"void {name}({', '.join(given)})\n{{\n    {call}(1, {', '.join([*passed, *outputs])});\n}}\n\n"
+    call = f"GS_CHOOSE_SINGLE({name_of(function, force_set)}_{ARRAYS}{letter(kind)})"
+    names = [o.name for o in function.outputs]
+    if not is_single(function):
+        return f"{signature}\n{{\n    {call}(1, {', '.join([*passed, *names])});\n}}\n\n"
+    return (
+        f"{signature}\n{{\n    {kind} {names[0]};\n    {call}(1, {', '.join(passed)}, &{names[0]});\n"
+        f"    return {names[0]};\n}}\n\n"
+    )
 
 
 def public_source(template):
     """Return the source of the public functions, which choose a version."""
     out = []
     for function, force_set in forms():
-        fullest = max(function.variants, key=lambda s: len(function.variants[s][0]))
-        for public in dict.fromkeys([force_set, *([""] if force_set == fullest else [])]):
-            out += [_scalar(function, force_set, arithmetic, public) for arithmetic in ARITHMETICS]
-            out += [_chooser(function, force_set, *each, public) for each in _every(function)]
+        for public in dict.fromkeys([force_set, *([""] if force_set == fullest(function) else [])]):
+            out += [_scalar(function, force_set, arithmetic.kind, public) for arithmetic in ARITHMETICS]
+            out += [_chooser(function, force_set, shape, a.kind, public) for shape, a in _every(function)]
     declared = "".join(map(_declarations, TARGETS))
     words = {"@CONDITION@": CONDITION, "@DECLARED@\n": declared, "@PUBLIC@\n": "".join(out).rstrip("\n") + "\n"}
     for word, text in words.items():

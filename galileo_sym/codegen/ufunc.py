@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from galileo_sym.catalogue import FUNCTIONS, stable
 from galileo_sym.catalogue.special import SPECIAL
 from galileo_sym.codegen import lanes
-from galileo_sym.codegen.c99 import c_name
-from galileo_sym.codegen.forms import VALUES
 from galileo_sym.codegen.printing import sources_text
+from galileo_sym.codegen.signatures import name_of
 from galileo_sym.codegen.ufunc_docs import form_doc, special_doc
 from galileo_sym.solvers import SOLVERS
 
@@ -71,9 +70,9 @@ def _form(function, force_set):
     name = f"{function.paper}_{function.name}" + (f"_{force_set}" if force_set else "")
     return Form(
         name,
-        c_name(function, force_set),
+        name_of(function, force_set),
         tuple(a.domain if a.domain in _INTERVALS else "real" for a in function.arguments(force_set)),
-        len(function.positional) if lanes.in_lanes(function) and VALUES in lanes.shapes(function) else None,
+        len(function.positional) if lanes.takes_values(function) else None,
         tuple(output.name for output in function.outputs),
         _matters(function, force_set),
         form_doc(function, force_set, sources_text(function, force_set)),

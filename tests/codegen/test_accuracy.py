@@ -9,8 +9,8 @@ import pytest
 from samples import arguments
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.forms import name_of
 from galileo_sym.codegen.lanes import in_lanes
+from galileo_sym.codegen.signatures import name_of
 from galileo_sym.generated import chord, lambert, projectile
 
 MODULES = {"chord": chord, "lambert": lambert, "projectile": projectile}

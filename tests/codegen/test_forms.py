@@ -9,9 +9,9 @@ import pytest
 from samples import arguments
 
 from galileo_sym import _backend
-from galileo_sym.codegen.forms import ARRAYS, VALUES, name_of
 from galileo_sym.codegen.kernels import TARGETS
 from galileo_sym.codegen.lanes import forms, shapes
+from galileo_sym.codegen.signatures import ARRAYS, VALUES, name_of
 from galileo_sym.generated._functions import FUNCTIONS
 
 FORMS = forms()

@@ -322,13 +322,6 @@ static inline double gs_settle(gs_scaled value, int undecided)
     return undecided && value.hi != 0.0 ? gs_invalid() : gs_store(value);
 }
 
-/* An angle in binary32: the float next to pi/2, which lies above it, counts as pi/2. */
-static inline double gs_widen_angle(float theta)
-{
-    const double x = theta;
-    return fabsf(theta) == (float)gs_half_pi[0] ? copysign(gs_half_pi[0], x) : x;
-}
-
 /* The float next to the most that an argument may be counts as that. */
 static inline double gs_widen_to(float x, float most, double wide)
 {
