@@ -21,7 +21,7 @@ from pathlib import Path
 
 import numpy as np
 
-from galileo_sym.codegen.kernels import TARGETS
+from galileo_sym.codegen.kernels import runnable
 from galileo_sym.files import write_whole
 from galileo_sym.libraries import compile_library, find_compiler
 from galileo_sym.primitives.approximations import APPROXIMATIONS
@@ -54,12 +54,8 @@ LONGEST = 32.0  # arguments of a range without end go so far
 
 def supported():
     """Suffixes of the versions this machine runs."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return ["plain"]
-    flags = set(next((line for line in lines if line.startswith("flags")), "").split())
-    return [*(s for s, (_, features, _) in TARGETS.items() if set(features.split(",")) <= flags), "plain"]
+    plain, *vectors = runnable()
+    return [*vectors, plain]
 
 
 def typical(name):

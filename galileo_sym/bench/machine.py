@@ -5,19 +5,12 @@ import os
 import platform
 import subprocess
 from importlib.metadata import PackageNotFoundError, version
-from pathlib import Path
 
+from galileo_sym import processor
 from galileo_sym._config import configuration
 from galileo_sym.libraries import NoCompilerError, find_compiler
 
 _PACKAGES = ("numpy", "scipy", "sympy", "python-flint", "dask")
-
-
-def processor():
-    """The processor's name."""
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text(encoding="utf-8").splitlines() if info.exists() else []
-    return next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), platform.machine())
 
 
 def compiler():
@@ -42,7 +35,7 @@ def stamp():
     found = {name: _version(name) for name in _PACKAGES}
     return {
         "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
-        "machine": f"{processor()}, {os.cpu_count()} processors",
+        "machine": f"{processor.name()}, {os.cpu_count()} processors",
         "load": round(os.getloadavg()[0], 2) if hasattr(os, "getloadavg") else None,
         "python": platform.python_version(),
         "compiler": compiler(),

@@ -17,6 +17,7 @@ from galileo_sym._config import sources_digest
 from galileo_sym.catalogue import FUNCTIONS
 from galileo_sym.codegen import (
     amalgamation,
+    blocks,
     c99,
     frames,
     kernels,
@@ -130,6 +131,9 @@ def _sources():
     files["c/galileo_lean.h"] = _c("the frames of galileo_sym.primitives", lean.lean_header())
     single = _template("c/galileo_single.h").replace("@CALLS@\n", lean.calls())
     files["c/galileo_single.h"] = _c("templates/c/galileo_single.h", single)
+    files["c/galileo_blocks.h"] = _c(
+        "templates/c/galileo_blocks.h", blocks.blocks_header(_template("c/galileo_blocks.h"))
+    )
     singles = lean.singles(_template("c/galileo_singles.h"))
     files["c/galileo_singles.h"] = _c("templates/c/galileo_singles.h", singles)
     files["c/galileo_scaled.h"] = _c("the catalogue", lanes.scaled_header())
@@ -140,7 +144,7 @@ def _sources():
     versions = _template("c/galileo_versions.h").replace("@CONDITION@", kernels.CONDITION)
     files["c/galileo_versions.h"] = _c("templates/c/galileo_versions.h", versions)
     files["c/lanes.c"] = _c("the stable forms of both papers", lanes.public_source(_template("c/lanes.c")))
-    files["c/special.c"] = _c("templates/c/special.c", kernels.public_source(_template("c/special.c")))
+    files["c/special.c"] = _c("templates/c/special.c", kernels.public_source(_template("c/special.c"), blocks.loops()))
     for name in _C_TEMPLATES:
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/tables.c"] = _c("the tables of galileo_sym.primitives", tables.c_tables())

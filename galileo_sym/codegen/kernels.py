@@ -2,6 +2,7 @@
 
 from math import isinf
 
+from galileo_sym import processor
 from galileo_sym.primitives.approximations import APPROXIMATIONS
 from galileo_sym.primitives.kernels import BANKED, KERNELS
 from galileo_sym.primitives.lines import columns, near_lines
@@ -122,31 +123,34 @@ _VANISHING = ("exp_minus",)  # 0 is what a number too small for binary64 is roun
 _LOOK_FOR = {None: "GS_NO_POLE", 0.0: "GS_POLE_AT_0"}
 
 
-def _loops():
-    return "".join(f"GS_LOOPS({name})\n" for name in KERNELS)
+def runnable():
+    """Return the suffixes of the versions that this machine can run, the plain one first."""
+    found = processor.features()
+    return ("plain", *(s for s, (_, needed, _) in TARGETS.items() if found.issuperset(needed.split(","))))
 
 
-# source: (what it holds, the header that defines it, what instantiates it there)
+# source: (what it holds, the header that defines it)
 VERSIONED = {
-    "special": ("The primitives", "galileo_singles.h", _loops()),
-    "lanes": ("The formulas of the papers", "galileo_forms.h", ""),
+    "special": ("The primitives", "galileo_singles.h"),
+    "lanes": ("The formulas of the papers", "galileo_forms.h"),
 }
 
 
 def target_source(template, name, suffix):
     """Return the text of one version of a source of `VERSIONED`."""
     machine, features, lanes = TARGETS[suffix]
-    what, header, loops = VERSIONED[name]
+    what, header = VERSIONED[name]
     words = {"MACHINE": machine, "FEATURES": features, "LANES": str(lanes), "SUFFIX": suffix, "CONDITION": CONDITION}
-    for word, text in (words | {"WHAT": what, "HEADER": header, "LOOPS": loops}).items():
+    for word, text in (words | {"WHAT": what, "HEADER": header}).items():
         template = template.replace(f"@{word}@", text)
     return template
 
 
-def public_source(template):
-    """Return the source of the public functions, which choose a version."""
+def public_source(template, loops):
+    """Return the source of the public functions, which choose a version; ``loops`` ends the names of array loops."""
     public = "".join(
-        f"GS_PUBLIC({name}, {_LOOK_FOR[kernel.pole]}, {int(name in _VANISHING)})\n" for name, kernel in KERNELS.items()
+        f"GS_PUBLIC({name}, {loop}, {_LOOK_FOR[KERNELS[name].pole]}, {int(name in _VANISHING)})\n"
+        for name, loop in loops.items()
     )
     return template.replace("@CONDITION@", CONDITION).replace("@PUBLIC@\n", public)
 

@@ -22,7 +22,6 @@
 #define GS_SUFFIX _avx2
 #include "galileo_forms.h"
 
-
 #if defined(__clang__)
 #pragma clang attribute pop
 #else

@@ -22,7 +22,6 @@
 #define GS_SUFFIX _fma
 #include "galileo_forms.h"
 
-
 #if defined(__clang__)
 #pragma clang attribute pop
 #else

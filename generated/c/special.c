@@ -13,6 +13,7 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(GS_PORTABLE)
 #define GS_DECLARED(name, suffix)                                                                                      \
     void name##_n##suffix(size_t n, const double *x, double *value);                                                   \
+    void name##_blocks##suffix(size_t n, const double *x, double *value);                                              \
     void name##_ns##suffix(size_t n, const float *x, float *value);
 #define GS_DECLARE(name) GS_DECLARED(name, _avx512) GS_DECLARED(name, _avx2) GS_DECLARED(name, _fma)
 #else
@@ -62,25 +63,26 @@ GS_EXCUSING(gs_excuse_nf, float, FLT_MIN)
         return x;                                                                                                      \
     }
 
-#define GS_PUBLIC(name, LOOK, zero)                                                                                    \
+#define GS_PUBLIC(name, inner, LOOK, zero)                                                                             \
     GS_DECLARE(gs_##name)                                                                                              \
-    GS_LOOPS(name)                                                                                                     \
-    GS_SERVED(name, double, _n, _n, , LOOK, zero)                                                                      \
+    GS_SERVED(name, double, inner, _n, , LOOK, zero)                                                                   \
     GS_SERVED(name, float, _ns, _nf, f, LOOK, zero)
 
-GS_PUBLIC(phi1m, GS_NO_POLE, 0)
-GS_PUBLIC(phi2m, GS_NO_POLE, 0)
-GS_PUBLIC(descent_factor, GS_NO_POLE, 0)
-GS_PUBLIC(flight_factor, GS_NO_POLE, 0)
-GS_PUBLIC(range_factor, GS_NO_POLE, 0)
-GS_PUBLIC(best_sine, GS_NO_POLE, 0)
-GS_PUBLIC(best_angle, GS_NO_POLE, 0)
-GS_PUBLIC(max_range_factor, GS_NO_POLE, 0)
-GS_PUBLIC(w0_offset, GS_NO_POLE, 0)
-GS_PUBLIC(wm1_offset, GS_NO_POLE, 0)
-GS_PUBLIC(w0, GS_NO_POLE, 0)
-GS_PUBLIC(wm1, GS_POLE_AT_0, 0)
-GS_PUBLIC(exp_minus, GS_NO_POLE, 1)
-GS_PUBLIC(sin, GS_NO_POLE, 0)
-GS_PUBLIC(cos, GS_NO_POLE, 0)
-GS_PUBLIC(arctan, GS_NO_POLE, 0)
+const char *gs_vectors(void) { return GS_VECTORS; }
+
+GS_PUBLIC(phi1m, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(phi2m, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(descent_factor, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(flight_factor, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(range_factor, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(best_sine, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(best_angle, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(max_range_factor, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(w0_offset, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(wm1_offset, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(w0, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(wm1, _blocks, GS_POLE_AT_0, 0)
+GS_PUBLIC(exp_minus, _blocks, GS_NO_POLE, 1)
+GS_PUBLIC(sin, _n, GS_NO_POLE, 0)
+GS_PUBLIC(cos, _n, GS_NO_POLE, 0)
+GS_PUBLIC(arctan, _blocks, GS_NO_POLE, 0)

@@ -22,23 +22,6 @@
 #define GS_SUFFIX _avx2
 #include "galileo_singles.h"
 
-GS_LOOPS(phi1m)
-GS_LOOPS(phi2m)
-GS_LOOPS(descent_factor)
-GS_LOOPS(flight_factor)
-GS_LOOPS(range_factor)
-GS_LOOPS(best_sine)
-GS_LOOPS(best_angle)
-GS_LOOPS(max_range_factor)
-GS_LOOPS(w0_offset)
-GS_LOOPS(wm1_offset)
-GS_LOOPS(w0)
-GS_LOOPS(wm1)
-GS_LOOPS(exp_minus)
-GS_LOOPS(sin)
-GS_LOOPS(cos)
-GS_LOOPS(arctan)
-
 #if defined(__clang__)
 #pragma clang attribute pop
 #else

@@ -9,7 +9,7 @@ import pytest
 from samples import arguments
 
 from galileo_sym import _backend
-from galileo_sym.codegen.kernels import TARGETS
+from galileo_sym.codegen.kernels import runnable
 from galileo_sym.codegen.lanes import forms, shapes
 from galileo_sym.codegen.signatures import ARRAYS, VALUES, name_of
 from galileo_sym.generated._functions import FUNCTIONS
@@ -18,17 +18,6 @@ FORMS = forms()
 IDS = [f"{f.full_name}-{s}" for f, s in FORMS]
 each_form = pytest.mark.parametrize(("function", "force_set"), FORMS, ids=IDS)
 COUNT = 203  # not a multiple of any number of lanes
-_FEATURES = {"avx512": ("avx512f", "avx512dq", "avx512bw", "avx512vl"), "avx2": ("avx2", "fma"), "fma": ("fma",)}
-
-
-def versions():
-    """Suffixes of the versions that this machine can run."""
-    if platform.machine() not in ("x86_64", "AMD64"):
-        return ["plain"]
-    with open("/proc/cpuinfo", encoding="ascii") as told:
-        words = set(told.read().split())
-    assert set(_FEATURES) == set(TARGETS)
-    return ["plain", *(name for name, wanted in _FEATURES.items() if words.issuperset(wanted))]
 
 
 def _pointer(array):
@@ -90,7 +79,7 @@ def test_every_version_and_shape_gives_the_same_bits(compiler, function, force_s
         if shape == VALUES:
             given = [v if i < keywords else np.full(COUNT, v[3], dtype) for i, v in enumerate(values)]
         expected = run(compiled.library(), function, force_set, ARRAYS, given)
-        for ending in ["", *(f"_{version}" for version in versions())]:
+        for ending in ["", *(f"_{version}" for version in runnable())]:
             assert _same(run(library, function, force_set, shape, given, ending), expected), (shape, ending)
 
 
@@ -182,7 +171,7 @@ def test_only_results_raise_flags(function, force_set):
         plain = plain_results(run(library, function, force_set, ARRAYS, values), 1e-300)
     values = [np.ascontiguousarray(v[plain]) for v in values]
     assert values[0].size > 20
-    for ending in ["", *(f"_{version}" for version in versions())]:
+    for ending in ["", *(f"_{version}" for version in runnable())]:
         libm.feclearexcept(sum(FLAGS.values()))
         run(library, function, force_set, ARRAYS, values, ending)
         raised = libm.fetestexcept(sum(FLAGS.values()))

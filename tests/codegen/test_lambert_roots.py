@@ -4,7 +4,6 @@ import shutil
 import subprocess
 import sys
 from fractions import Fraction
-from pathlib import Path
 
 import compiled
 import numpy as np
@@ -12,6 +11,7 @@ import printed_forms
 import pytest
 from mpmath import mp, mpf
 
+from galileo_sym import processor
 from galileo_sym.generated import _elementary, _excess, _scaled, lambert
 
 ROOTS = "gs_lambert_linear_exponential_roots_n"
@@ -110,12 +110,8 @@ np.save(target, results)
 def test_bits_of_code_compiled_for_larger_machines(tmp_path, march):
     """gcc 12 once made an endless loop of the integers beside a double root, with -O3 and AVX-512."""
     needed = {"x86-64-v3": "avx2", "x86-64-v4": "avx512vl"}[march]
-    try:
-        flags = Path("/proc/cpuinfo").read_text(encoding="utf-8").split()
-    except OSError:
-        flags = []
     gcc = shutil.which("gcc")
-    if needed not in flags or gcc is None:
+    if needed not in processor.features() or gcc is None:
         pytest.skip(f"no gcc, or this machine has no {needed}: code for {march} is not run")
     library, target = tmp_path / "libroots.so", tmp_path / "roots.npy"
     others = ("special_", "lanes", "chord", "projectile")

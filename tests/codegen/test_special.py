@@ -9,24 +9,21 @@ import pytest
 from mpmath import mpf
 from special_points import ITSELF, LIMITS, ODD_OR_EVEN, points, reference
 
-from galileo_sym.codegen.kernels import TARGETS
+from galileo_sym.codegen.blocks import loops
+from galileo_sym.codegen.kernels import runnable
 from galileo_sym.primitives.kernels import KERNELS
 
 SPECIAL = [np.nan, -np.nan, np.inf, 0.0, -0.0, 5e-324, 2.3e-308, np.finfo(float).max, -1.0, -np.inf, -5e-324]
 
 
-def versions():
-    """Suffixes of the versions that this machine can run."""
-    described = subprocess.run(["cat", "/proc/cpuinfo"], capture_output=True, text=True, check=False).stdout
-    flags = set(next((line for line in described.splitlines() if line.startswith("flags")), "").split())
-    return ["plain", *(s for s, (_, features, _) in TARGETS.items() if set(features.split(",")) <= flags)]
+VERSIONS = runnable()
 
 
-def run(name, x, suffix, dtype=np.float64):
+def run(name, x, suffix, dtype=np.float64, loop="_n"):
     """Call one version of an array loop."""
     x = np.ascontiguousarray(x, dtype=dtype)
     value = np.empty_like(x)
-    function = getattr(compiled.library(), f"gs_{name}_n{'f' * (dtype is np.float32)}_{suffix}")
+    function = getattr(compiled.library(), f"gs_{name}{loop}{'f' * (dtype is np.float32)}_{suffix}")
     function.restype = None
     function(ctypes.c_size_t(x.size), ctypes.c_void_p(x.ctypes.data), ctypes.c_void_p(value.ctypes.data))
     return value
@@ -40,10 +37,29 @@ def test_every_version_gives_the_same_bits(name, dtype):
         x = np.concatenate([points(name, 4000), SPECIAL]).astype(dtype)
     bits = np.int64 if dtype is np.float64 else np.int32
     plain = run(name, x, "plain", dtype)
-    for suffix in versions()[1:]:
+    for suffix in VERSIONS[1:]:
         assert np.array_equal(plain.view(bits), run(name, x, suffix, dtype).view(bits)), suffix
         for length in range(1, 20):
             assert np.array_equal(plain[:length].view(bits), run(name, x[:length], suffix, dtype).view(bits))
+
+
+@pytest.mark.parametrize("name", [name for name, loop in loops().items() if loop == "_blocks"])
+def test_blocks_give_the_same_bits(name):
+    """However numbers of several ranges are mixed, and what is no argument among them; in place, too."""
+    with np.errstate(all="ignore"):
+        every = np.concatenate([points(name, 4000), SPECIAL])
+    plain = run(name, every, "plain").view(np.int64)
+    order = np.random.default_rng(5).permutation(every.size)
+    for suffix in VERSIONS:
+        for begin, length in ((0, every.size), (7, 600), (3, 33), (900, 256), (50, 17), (11, 5)):
+            places = order[begin : begin + length]
+            value = run(name, every[places], suffix, loop="_blocks").view(np.int64)
+            assert np.array_equal(plain[places], value), (suffix, length)
+    x = every[order]
+    getattr(compiled.library(), f"gs_special_{name}_n")(
+        ctypes.c_size_t(x.size), ctypes.c_void_p(x.ctypes.data), ctypes.c_void_p(x.ctypes.data)
+    )
+    assert np.array_equal(x.view(np.int64), plain[order])
 
 
 @pytest.mark.parametrize("name", KERNELS)
@@ -74,7 +90,7 @@ def test_edges(name):
     lower, upper = KERNELS[name].domain
     x = np.array([0.0, -0.0, np.inf, *(v for v in SPECIAL if not lower <= v <= upper)])
     zeros = x[:2] if at_zero is ITSELF else np.array([at_zero, at_zero])
-    for suffix in versions():
+    for suffix in VERSIONS:
         value = run(name, x, suffix)
         assert np.array_equal(value[:2].view(np.int64), zeros.view(np.int64))
         assert np.array_equal(value[2], at_infinity, equal_nan=True)
@@ -160,7 +176,7 @@ def test_vector_versions_raise_only_what_is_due(compiler, level, tmp_path):
     declared, tried = "", ""
     for name, kernel in KERNELS.items():
         step = min(0.37, kernel.domain[1] / 41) if kernel.domain[1] > 0 else kernel.domain[0] / 41
-        for function in (f"gs_special_{name}_n", *(f"gs_{name}_n_{suffix}" for suffix in versions())):
+        for function in (f"gs_special_{name}_n", *(f"gs_{name}{loops()[name]}_{suffix}" for suffix in VERSIONS)):
             declared += f"void {function}(size_t n, const double *x, double *value);\n"
             for x, seen, due in _flags_due(name, function.startswith("gs_special")):
                 tried += f'    {{"{function}", {function}, {step!r}, {x}, {seen}, {due}}},\n'

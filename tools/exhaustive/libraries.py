@@ -5,7 +5,7 @@ import hashlib
 from functools import cache
 from pathlib import Path
 
-from galileo_sym.codegen.kernels import TARGETS
+from galileo_sym.codegen.kernels import TARGETS, runnable
 from galileo_sym.libraries import FLAGS, compile_library, find_compiler
 
 HERE = Path(__file__).resolve().parent
@@ -51,10 +51,7 @@ def reference_digest():
 @cache
 def suffixes():
     """Return the versions that this machine can run, the plain one apart."""
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text(encoding="utf-8").splitlines() if info.exists() else []
-    flags = set(next((line for line in lines if line.startswith("flags")), "").split())
-    return tuple(s for s, (_, features, _) in TARGETS.items() if set(features.split(",")) <= flags)
+    return runnable()[1:]
 
 
 def narrower():

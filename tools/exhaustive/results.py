@@ -9,6 +9,7 @@ from pathlib import Path
 
 from exhaustive import certain
 from exhaustive.emitted import digest, singles_digest
+from galileo_sym import processor
 from galileo_sym.files import write_whole
 from galileo_sym.primitives.kernels import KERNELS
 
@@ -39,18 +40,11 @@ the pairs that are tried above. Here both are held to the same bits: in the wide
 lanes in one of 16 stretches of 2^20 inputs, with one in one of 256."""
 
 
-def machine():
-    """Return the processor's name."""
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text(encoding="utf-8").splitlines() if info.exists() else []
-    return next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), platform.machine())
-
-
 def stamp():
     """Return what is said of every run: day, machine, versions."""
     return {
         "date": datetime.now(timezone.utc).date().isoformat(),
-        "machine": machine(),
+        "machine": processor.name(),
         "python": platform.python_version(),
         "flint": version("python-flint"),
     }

@@ -9,7 +9,7 @@ from .pieces import PAIR
 
 LIMIT = 0.75  # ulp: no primitive may be allowed more
 SOURCES = ("c/galileo_kernels.h", "c/galileo_frames.h", "c/galileo_vector.h")
-SERVED = ("c/galileo_loops.h", "c/special.c")  # what stands between the proved functions and their callers
+SERVED = ("c/galileo_loops.h", "c/galileo_blocks.h", "c/special.c")  # what stands between them and their callers
 _RELATIVE = Context(prec=3, rounding=ROUND_CEILING)
 _ULP = Decimal("0.0001")
 

@@ -739,6 +739,12 @@ void gs_special_arctan_nf(size_t n, const float *x, float *value);
 #ifndef GALILEO_SINGLES_H
 #define GALILEO_SINGLES_H
 
+/* Array loops that serve each range of an argument apart, where an array holds several; for a source that has set
+ * GS_LANES and GS_SUFFIX. A vector that holds numbers of two ranges would cost as much as both.
+ */
+#ifndef GALILEO_BLOCKS_H
+#define GALILEO_BLOCKS_H
+
 /* Array loops over the kernels, for a source that has set GS_LANES and GS_SUFFIX. */
 #ifndef GALILEO_LOOPS_H
 #define GALILEO_LOOPS_H
@@ -6202,6 +6208,1029 @@ static inline gs_v gs_arctan_value(gs_v x, gs_v *lo)
     }
 
 #endif
+
+#define GS_BLOCK 256
+
+/* gs_count: how many lanes of a mask there are; gs_squeeze: those lanes side by side; gs_spread: back into their places. */
+static inline size_t gs_count(gs_mask m) { return (size_t)m; }
+static inline gs_v gs_squeeze(gs_mask m, gs_v x) { (void)m; return x; }
+static inline gs_v gs_spread(gs_mask m, gs_v x, gs_v r) { return m ? x : r; }
+
+/* Append the lanes of a mask to a part; there is room for a whole vector. Return the part's length. */
+static inline size_t gs_append(double *part, size_t length, gs_mask lanes, gs_v x)
+{
+    gs_v_store(part + length, gs_squeeze(lanes, x));
+    return length + gs_count(lanes);
+}
+
+/* Put the numbers of a part that come next into the lanes of a mask. */
+static inline gs_v gs_take(const double *part, size_t *taken, gs_mask lanes, gs_v r)
+{
+    const gs_v next = gs_v_load(part + *taken);
+    *taken += gs_count(lanes);
+    return gs_spread(lanes, next, r);
+}
+
+/* Replace the numbers of a part by their values; the last vector is filled up with what does no harm. */
+#define GS_SERVE(kind, harmless, part, length)                                                                         \
+    do {                                                                                                               \
+        gs_v_store((part) + (length), harmless);                                                                       \
+        for (size_t i = 0; i < (length); i += GS_LANES)                                                                \
+            gs_v_store((part) + i, kind(gs_v_load((part) + i)));                                                       \
+    } while (0)
+
+/* Two vectors a turn while all their lanes are typical, else a block. */
+#define GS_BLOCKS(name)                                                                                                \
+    void GS_JOIN(gs_##name##_blocks, GS_SUFFIX)(size_t n, const double *x, double *value)                              \
+    {                                                                                                                  \
+        while (n >= 2 * GS_LANES) {                                                                                    \
+            const gs_v a = gs_v_load(x), b = gs_v_load(x + GS_LANES);                                                  \
+            size_t here = 2 * GS_LANES;                                                                                \
+            if (gs_all(gs_both(gs_##name##_is_kind0(a), gs_##name##_is_kind0(b)))) {                                   \
+                const gs_v r = gs_##name##_kind0(a), s = gs_##name##_kind0(b);                                         \
+                gs_v_store(value, r);                                                                                  \
+                gs_v_store(value + GS_LANES, s);                                                                       \
+            } else {                                                                                                   \
+                here = n < GS_BLOCK ? n - n % GS_LANES : GS_BLOCK;                                                     \
+                gs_##name##_mixed(here, x, value);                                                                     \
+            }                                                                                                          \
+            n -= here, x += here, value += here;                                                                       \
+        }                                                                                                              \
+        GS_JOIN(gs_##name##_n, GS_SUFFIX)(n, x, value);                                                                \
+    }
+
+GS_LOOPS(phi1m)
+static inline gs_mask gs_phi1m_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
+}
+static inline gs_v gs_phi1m_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_phi1m_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_phi1m_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+}
+static inline gs_v gs_phi1m_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_phi1m_tail_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_phi1m_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.be40000000000p+8));
+}
+static inline gs_v gs_phi1m_kind2(gs_v x)
+{
+    const gs_v m = x;
+    const gs_v r = gs_phi1m_far(m);
+    return r;
+}
+static inline gs_v gs_phi1m_any(gs_v x)
+{
+    gs_v lo;
+    return gs_phi1m_value(x, &lo);
+}
+static GS_RARE void gs_phi1m_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_phi1m_is_kind1(v);
+        const gs_mask in2 = gs_phi1m_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_phi1m_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_phi1m_kind1, gs_v_of(0x1.a400000000000p+4), part1, length1);
+    GS_SERVE(gs_phi1m_kind2, gs_v_of(0x1.be40000000000p+8), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_phi1m_is_kind1(v);
+        const gs_mask in2 = gs_phi1m_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(phi1m)
+
+GS_LOOPS(phi2m)
+static inline gs_mask gs_phi2m_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
+}
+static inline gs_v gs_phi2m_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_phi2m_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_phi2m_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+}
+static inline gs_v gs_phi2m_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_phi2m_tail_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_phi2m_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.be40000000000p+8));
+}
+static inline gs_v gs_phi2m_kind2(gs_v x)
+{
+    const gs_v m = x;
+    const gs_v r = gs_phi2m_far(m);
+    return r;
+}
+static inline gs_v gs_phi2m_any(gs_v x)
+{
+    gs_v lo;
+    return gs_phi2m_value(x, &lo);
+}
+static GS_RARE void gs_phi2m_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_phi2m_is_kind1(v);
+        const gs_mask in2 = gs_phi2m_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_phi2m_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_phi2m_kind1, gs_v_of(0x1.a400000000000p+4), part1, length1);
+    GS_SERVE(gs_phi2m_kind2, gs_v_of(0x1.be40000000000p+8), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_phi2m_is_kind1(v);
+        const gs_mask in2 = gs_phi2m_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(phi2m)
+
+GS_LOOPS(descent_factor)
+static inline gs_mask gs_descent_factor_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.2c00000000000p+3));
+}
+static inline gs_v gs_descent_factor_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_descent_factor_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_descent_factor_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.2c00000000000p+3));
+}
+static inline gs_v gs_descent_factor_kind1(gs_v x)
+{
+    const gs_v m = x;
+    const gs_v r = gs_descent_factor_far(m);
+    return r;
+}
+static inline gs_v gs_descent_factor_any(gs_v x)
+{
+    gs_v lo;
+    return gs_descent_factor_value(x, &lo);
+}
+static GS_RARE void gs_descent_factor_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_descent_factor_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+    }
+    GS_SERVE(gs_descent_factor_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_descent_factor_kind1, gs_v_of(0x1.2c00000000000p+3), part1, length1);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_descent_factor_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(descent_factor)
+
+GS_LOOPS(flight_factor)
+static inline gs_mask gs_flight_factor_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+}
+static inline gs_v gs_flight_factor_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_flight_factor_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_flight_factor_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
+}
+static inline gs_v gs_flight_factor_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_flight_tail_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_flight_factor_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+7));
+}
+static inline gs_v gs_flight_factor_kind2(gs_v x)
+{
+    const gs_v m = x;
+    const gs_v r = gs_flight_factor_far(m);
+    return r;
+}
+static inline gs_v gs_flight_factor_any(gs_v x)
+{
+    gs_v lo;
+    return gs_flight_factor_value(x, &lo);
+}
+static GS_RARE void gs_flight_factor_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_flight_factor_is_kind1(v);
+        const gs_mask in2 = gs_flight_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_flight_factor_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_flight_factor_kind1, gs_v_of(0x1.e000000000000p+3), part1, length1);
+    GS_SERVE(gs_flight_factor_kind2, gs_v_of(0x1.fe00000000000p+7), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_flight_factor_is_kind1(v);
+        const gs_mask in2 = gs_flight_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(flight_factor)
+
+GS_LOOPS(range_factor)
+static inline gs_mask gs_range_factor_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
+}
+static inline gs_v gs_range_factor_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_range_factor_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_range_factor_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+}
+static inline gs_v gs_range_factor_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_range_tail_near(m, &lo);
+    return r;
+}
+static inline gs_mask gs_range_factor_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+6));
+}
+static inline gs_v gs_range_factor_kind2(gs_v x)
+{
+    const gs_v m = x;
+    const gs_v r = gs_range_factor_far(m);
+    return r;
+}
+static inline gs_v gs_range_factor_any(gs_v x)
+{
+    gs_v lo;
+    return gs_range_factor_value(x, &lo);
+}
+static GS_RARE void gs_range_factor_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_range_factor_is_kind1(v);
+        const gs_mask in2 = gs_range_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_range_factor_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_range_factor_kind1, gs_v_of(0x1.e000000000000p+2), part1, length1);
+    GS_SERVE(gs_range_factor_kind2, gs_v_of(0x1.fe00000000000p+6), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_range_factor_is_kind1(v);
+        const gs_mask in2 = gs_range_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(range_factor)
+
+GS_LOOPS(best_sine)
+static inline gs_mask gs_best_sine_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+}
+static inline gs_v gs_best_sine_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_best_sine_range0(m, &lo);
+    return r;
+}
+static inline gs_mask gs_best_sine_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.0000000000000p+554));
+}
+static inline gs_v gs_best_sine_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_best_sine_range1(m, &lo);
+    return r;
+}
+static inline gs_mask gs_best_sine_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
+}
+static inline gs_v gs_best_sine_kind2(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_best_sine_range2(m, &lo);
+    return r;
+}
+static inline gs_v gs_best_sine_any(gs_v x)
+{
+    gs_v lo;
+    return gs_best_sine_value(x, &lo);
+}
+static GS_RARE void gs_best_sine_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_best_sine_is_kind1(v);
+        const gs_mask in2 = gs_best_sine_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_best_sine_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_best_sine_kind1, gs_v_of(0x1.e000000000000p+3), part1, length1);
+    GS_SERVE(gs_best_sine_kind2, gs_v_of(0x1.0000000000000p+554), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_best_sine_is_kind1(v);
+        const gs_mask in2 = gs_best_sine_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(best_sine)
+
+GS_LOOPS(best_angle)
+static inline gs_mask gs_best_angle_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+}
+static inline gs_v gs_best_angle_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_best_angle_range0(m, &lo);
+    return r;
+}
+static inline gs_mask gs_best_angle_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.0000000000000p+554));
+}
+static inline gs_v gs_best_angle_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_best_angle_range1(m, &lo);
+    return r;
+}
+static inline gs_mask gs_best_angle_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
+}
+static inline gs_v gs_best_angle_kind2(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_best_angle_range2(m, &lo);
+    return r;
+}
+static inline gs_v gs_best_angle_any(gs_v x)
+{
+    gs_v lo;
+    return gs_best_angle_value(x, &lo);
+}
+static GS_RARE void gs_best_angle_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_best_angle_is_kind1(v);
+        const gs_mask in2 = gs_best_angle_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_best_angle_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_best_angle_kind1, gs_v_of(0x1.e000000000000p+3), part1, length1);
+    GS_SERVE(gs_best_angle_kind2, gs_v_of(0x1.0000000000000p+554), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_best_angle_is_kind1(v);
+        const gs_mask in2 = gs_best_angle_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(best_angle)
+
+GS_LOOPS(max_range_factor)
+static inline gs_mask gs_max_range_factor_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
+}
+static inline gs_v gs_max_range_factor_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_max_range_factor_range0(m, &lo);
+    return r;
+}
+static inline gs_mask gs_max_range_factor_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
+}
+static inline gs_v gs_max_range_factor_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_max_range_factor_range1(m, &lo);
+    return r;
+}
+static inline gs_mask gs_max_range_factor_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
+}
+static inline gs_v gs_max_range_factor_kind2(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_max_range_factor_range2(m, &lo);
+    return r;
+}
+static inline gs_v gs_max_range_factor_any(gs_v x)
+{
+    gs_v lo;
+    return gs_max_range_factor_value(x, &lo);
+}
+static GS_RARE void gs_max_range_factor_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_max_range_factor_is_kind1(v);
+        const gs_mask in2 = gs_max_range_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_max_range_factor_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_max_range_factor_kind1, gs_v_of(0x1.e000000000000p+2), part1, length1);
+    GS_SERVE(gs_max_range_factor_kind2, gs_v_of(0x1.0000000000000p+554), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_max_range_factor_is_kind1(v);
+        const gs_mask in2 = gs_max_range_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(max_range_factor)
+
+GS_LOOPS(w0_offset)
+static inline gs_mask gs_w0_offset_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.5f33333333333p+5));
+}
+static inline gs_v gs_w0_offset_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_w0_offset_range0(m, &lo);
+    return r;
+}
+static inline gs_mask gs_w0_offset_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.0000000000000p-900));
+}
+static inline gs_v gs_w0_offset_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_w0_offset_range1(m, &lo);
+    return r;
+}
+static inline gs_mask gs_w0_offset_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.5f33333333333p+5));
+}
+static inline gs_v gs_w0_offset_kind2(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_w0_offset_range2(m, &lo);
+    return r;
+}
+static inline gs_v gs_w0_offset_any(gs_v x)
+{
+    gs_v lo;
+    return gs_w0_offset_value(x, &lo);
+}
+static GS_RARE void gs_w0_offset_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_w0_offset_is_kind1(v);
+        const gs_mask in2 = gs_w0_offset_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_w0_offset_any, gs_v_of(0x1.0000000000000p-900), part0, length0);
+    GS_SERVE(gs_w0_offset_kind1, gs_v_of(0x0.0p+0), part1, length1);
+    GS_SERVE(gs_w0_offset_kind2, gs_v_of(0x1.5f33333333333p+5), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_w0_offset_is_kind1(v);
+        const gs_mask in2 = gs_w0_offset_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(w0_offset)
+
+GS_LOOPS(wm1_offset)
+static inline gs_mask gs_wm1_offset_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.c000000000000p+6));
+}
+static inline gs_v gs_wm1_offset_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_wm1_offset_range0(m, &lo);
+    return r;
+}
+static inline gs_mask gs_wm1_offset_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.0000000000000p-900));
+}
+static inline gs_v gs_wm1_offset_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_wm1_offset_range1(m, &lo);
+    return r;
+}
+static inline gs_mask gs_wm1_offset_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.c000000000000p+6), gs_v_of(INFINITY));
+}
+static inline gs_v gs_wm1_offset_kind2(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_wm1_offset_range2(m, &lo);
+    return r;
+}
+static inline gs_v gs_wm1_offset_any(gs_v x)
+{
+    gs_v lo;
+    return gs_wm1_offset_value(x, &lo);
+}
+static GS_RARE void gs_wm1_offset_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_wm1_offset_is_kind1(v);
+        const gs_mask in2 = gs_wm1_offset_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_wm1_offset_any, gs_v_of(0x1.0000000000000p-900), part0, length0);
+    GS_SERVE(gs_wm1_offset_kind1, gs_v_of(0x0.0p+0), part1, length1);
+    GS_SERVE(gs_wm1_offset_kind2, gs_v_of(0x1.c000000000000p+6), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_wm1_offset_is_kind1(v);
+        const gs_mask in2 = gs_wm1_offset_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(wm1_offset)
+
+GS_LOOPS(w0)
+static inline gs_mask gs_w0_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(0x1.5800000000000p+4));
+}
+static inline gs_v gs_w0_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_w0_range0(m, &lo);
+    return r;
+}
+static inline gs_mask gs_w0_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.5800000000000p+4), gs_v_of(INFINITY));
+}
+static inline gs_v gs_w0_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_w0_range1(m, &lo);
+    return r;
+}
+static inline gs_v gs_w0_any(gs_v x)
+{
+    gs_v lo;
+    return gs_w0_value(x, &lo);
+}
+static GS_RARE void gs_w0_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_w0_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+    }
+    GS_SERVE(gs_w0_any, gs_v_of(-0x1.78b56362cef37p-2), part0, length0);
+    GS_SERVE(gs_w0_kind1, gs_v_of(0x1.5800000000000p+4), part1, length1);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_w0_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(w0)
+
+GS_LOOPS(wm1)
+static inline gs_mask gs_wm1_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(-0x1.38ef34d6a161ep-2), gs_v_of(-0x1.2b50c6ec4f313p-163));
+}
+static inline gs_v gs_wm1_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_wm1_range0(m, &lo);
+    return r;
+}
+static inline gs_mask gs_wm1_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(-0x1.38ef34d6a161ep-2));
+}
+static inline gs_v gs_wm1_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_wm1_range1(m, &lo);
+    return r;
+}
+static inline gs_mask gs_wm1_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(-0x1.2b50c6ec4f313p-163), gs_v_of(0x0.0p+0));
+}
+static inline gs_v gs_wm1_kind2(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_wm1_range2(m, &lo);
+    return r;
+}
+static inline gs_v gs_wm1_any(gs_v x)
+{
+    gs_v lo;
+    return gs_wm1_value(x, &lo);
+}
+static GS_RARE void gs_wm1_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_wm1_is_kind1(v);
+        const gs_mask in2 = gs_wm1_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_wm1_any, gs_v_of(-0x1.38ef34d6a161ep-2), part0, length0);
+    GS_SERVE(gs_wm1_kind1, gs_v_of(-0x1.78b56362cef37p-2), part1, length1);
+    GS_SERVE(gs_wm1_kind2, gs_v_of(-0x1.2b50c6ec4f313p-163), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_wm1_is_kind1(v);
+        const gs_mask in2 = gs_wm1_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(wm1)
+
+GS_LOOPS(exp_minus)
+static inline gs_mask gs_exp_minus_is_kind0(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.4000000000000p+9));
+}
+static inline gs_v gs_exp_minus_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_exp_minus_range0(m, &lo);
+    return r;
+}
+static inline gs_mask gs_exp_minus_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.4000000000000p+9), gs_v_of(0x1.74a0000000000p+9));
+}
+static inline gs_v gs_exp_minus_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_exp_minus_range1(m, &lo);
+    return r;
+}
+static inline gs_mask gs_exp_minus_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.74a0000000000p+9));
+}
+static inline gs_v gs_exp_minus_kind2(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_exp_minus_range2(m, &lo);
+    return r;
+}
+static inline gs_v gs_exp_minus_any(gs_v x)
+{
+    gs_v lo;
+    return gs_exp_minus_value(x, &lo);
+}
+static GS_RARE void gs_exp_minus_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_exp_minus_is_kind1(v);
+        const gs_mask in2 = gs_exp_minus_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_exp_minus_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_exp_minus_kind1, gs_v_of(0x1.4000000000000p+9), part1, length1);
+    GS_SERVE(gs_exp_minus_kind2, gs_v_of(INFINITY), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_exp_minus_is_kind1(v);
+        const gs_mask in2 = gs_exp_minus_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(exp_minus)
+
+GS_LOOPS(sin)
+GS_LOOPS(cos)
+GS_LOOPS(arctan)
+static inline gs_mask gs_arctan_is_kind0(gs_v x)
+{
+    const gs_v m = gs_abs(x);
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+1));
+}
+static inline gs_v gs_arctan_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = gs_abs(x);
+    const gs_v r = gs_arctan_range0(m, &lo);
+    return gs_flip(r, x);
+}
+static inline gs_mask gs_arctan_is_kind1(gs_v x)
+{
+    const gs_v m = gs_abs(x);
+    return gs_within(m, gs_v_of(0x1.e000000000000p+1), gs_v_of(0x1.fe00000000000p+5));
+}
+static inline gs_v gs_arctan_kind1(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = gs_abs(x);
+    const gs_v r = gs_arctan_range1(m, &lo);
+    return gs_flip(r, x);
+}
+static inline gs_mask gs_arctan_is_kind2(gs_v x)
+{
+    const gs_v m = gs_abs(x);
+    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+5));
+}
+static inline gs_v gs_arctan_kind2(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = gs_abs(x);
+    const gs_v r = gs_arctan_range2(m, &lo);
+    return gs_flip(r, x);
+}
+static inline gs_v gs_arctan_any(gs_v x)
+{
+    gs_v lo;
+    return gs_arctan_value(x, &lo);
+}
+static GS_RARE void gs_arctan_mixed(size_t n, const double *x, double *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_arctan_is_kind1(v);
+        const gs_mask in2 = gs_arctan_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_arctan_any, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_arctan_kind1, gs_v_of(0x1.e000000000000p+1), part1, length1);
+    GS_SERVE(gs_arctan_kind2, gs_v_of(0x1.fe00000000000p+5), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_load(x + i);
+        const gs_mask in1 = gs_arctan_is_kind1(v);
+        const gs_mask in2 = gs_arctan_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_store(value + i, r);
+    }
+}
+GS_BLOCKS(arctan)
+
+#endif
 /* The same operations as for pairs in plain double arithmetic, for results in binary32: no term of a formula over- or
  * underflows, whatever finite floats the arguments are, unless the result does.
  */
@@ -10522,28 +11551,29 @@ GS_EXCUSING(gs_excuse_nf, float, FLT_MIN)
         return x;                                                                                                      \
     }
 
-#define GS_PUBLIC(name, LOOK, zero)                                                                                    \
+#define GS_PUBLIC(name, inner, LOOK, zero)                                                                             \
     GS_DECLARE(gs_##name)                                                                                              \
-    GS_LOOPS(name)                                                                                                     \
-    GS_SERVED(name, double, _n, _n, , LOOK, zero)                                                                      \
+    GS_SERVED(name, double, inner, _n, , LOOK, zero)                                                                   \
     GS_SERVED(name, float, _ns, _nf, f, LOOK, zero)
 
-GS_PUBLIC(phi1m, GS_NO_POLE, 0)
-GS_PUBLIC(phi2m, GS_NO_POLE, 0)
-GS_PUBLIC(descent_factor, GS_NO_POLE, 0)
-GS_PUBLIC(flight_factor, GS_NO_POLE, 0)
-GS_PUBLIC(range_factor, GS_NO_POLE, 0)
-GS_PUBLIC(best_sine, GS_NO_POLE, 0)
-GS_PUBLIC(best_angle, GS_NO_POLE, 0)
-GS_PUBLIC(max_range_factor, GS_NO_POLE, 0)
-GS_PUBLIC(w0_offset, GS_NO_POLE, 0)
-GS_PUBLIC(wm1_offset, GS_NO_POLE, 0)
-GS_PUBLIC(w0, GS_NO_POLE, 0)
-GS_PUBLIC(wm1, GS_POLE_AT_0, 0)
-GS_PUBLIC(exp_minus, GS_NO_POLE, 1)
-GS_PUBLIC(sin, GS_NO_POLE, 0)
-GS_PUBLIC(cos, GS_NO_POLE, 0)
-GS_PUBLIC(arctan, GS_NO_POLE, 0)
+const char *gs_vectors(void) { return GS_VECTORS; }
+
+GS_PUBLIC(phi1m, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(phi2m, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(descent_factor, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(flight_factor, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(range_factor, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(best_sine, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(best_angle, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(max_range_factor, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(w0_offset, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(wm1_offset, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(w0, _blocks, GS_NO_POLE, 0)
+GS_PUBLIC(wm1, _blocks, GS_POLE_AT_0, 0)
+GS_PUBLIC(exp_minus, _blocks, GS_NO_POLE, 1)
+GS_PUBLIC(sin, _n, GS_NO_POLE, 0)
+GS_PUBLIC(cos, _n, GS_NO_POLE, 0)
+GS_PUBLIC(arctan, _blocks, GS_NO_POLE, 0)
 #undef GS_SUFFIX
 #undef GS_DECLARED
 #undef GS_DECLARE

@@ -2,7 +2,7 @@
 #ifndef GALILEO_SINGLES_H
 #define GALILEO_SINGLES_H
 
-#include "galileo_loops.h"
+#include "galileo_blocks.h"
 #include "galileo_single.h"
 
 /* Whether no number within 2^-34 of r lies on the other side of a tie between floats, nor among the subnormal ones. */

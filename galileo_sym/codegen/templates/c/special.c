@@ -12,6 +12,7 @@
 #if @CONDITION@
 #define GS_DECLARED(name, suffix)                                                                                      \
     void name##_n##suffix(size_t n, const double *x, double *value);                                                   \
+    void name##_blocks##suffix(size_t n, const double *x, double *value);                                              \
     void name##_ns##suffix(size_t n, const float *x, float *value);
 #define GS_DECLARE(name) GS_DECLARED(name, _avx512) GS_DECLARED(name, _avx2) GS_DECLARED(name, _fma)
 #else
@@ -61,10 +62,11 @@ GS_EXCUSING(gs_excuse_nf, float, FLT_MIN)
         return x;                                                                                                      \
     }
 
-#define GS_PUBLIC(name, LOOK, zero)                                                                                    \
+#define GS_PUBLIC(name, inner, LOOK, zero)                                                                             \
     GS_DECLARE(gs_##name)                                                                                              \
-    GS_LOOPS(name)                                                                                                     \
-    GS_SERVED(name, double, _n, _n, , LOOK, zero)                                                                      \
+    GS_SERVED(name, double, inner, _n, , LOOK, zero)                                                                   \
     GS_SERVED(name, float, _ns, _nf, f, LOOK, zero)
+
+const char *gs_vectors(void) { return GS_VECTORS; }
 
 @PUBLIC@

@@ -21,7 +21,6 @@
 #define GS_SUFFIX _@SUFFIX@
 #include "@HEADER@"
 
-@LOOPS@
 #if defined(__clang__)
 #pragma clang attribute pop
 #else
