@@ -2244,89 +2244,238 @@ W0_RATIO = Bank(
 # -W-1(x), x = q^2 - 1/e
 WM1_BRANCH = Bank(
     offset=1.0,
-    first=65472,
-    drop=46,
-    finer=4,
-    degree=6,
+    first=32736,
+    drop=47,
+    finer=5,
+    degree=7,
     unit=0.0,
     columns=(
         (
-            "0x0.0p+0 0x1.8000000000000p-6 0x1.4000000000000p-5 0x1.c000000000000p-5 "
+            "0x0.0p+0 0x1.8000000000000p-5 0x1.4000000000000p-4 0x1.c000000000000p-4 "
+            "0x1.2000000000000p-3 0x1.6000000000000p-3 0x1.a000000000000p-3 0x1.e000000000000p-3 "
+            "0x1.1000000000000p-2 0x1.3000000000000p-2 0x1.5000000000000p-2 0x1.7000000000000p-2 "
+            "0x1.9000000000000p-2 0x1.b000000000000p-2 0x1.d000000000000p-2 0x1.f000000000000p-2 "
+        ),
+        (
+            "0x1.0000000000000p+0 0x1.1d0da1829a10ep+0 0x1.31b9d019c79a4p+0 0x1.4795d1ac292eep+0 "
+            "0x1.5ec7fd3e23531p+0 0x1.777e8337531f1p+0 0x1.91f1be34cee9bp+0 0x1.ae6770f6faf15p+0 "
+            "0x1.cd376d88b2f79p+0 0x1.eed2750453d18p+0 0x1.09e65cb849389p+1 0x1.1e774c0665707p+1 "
+            "0x1.35a84a90eccf8p+1 0x1.504693f481833p+1 0x1.6f9054845f014p+1 0x1.959b6ca1eb16dp+1 "
+        ),
+        (
+            "0x0.0p+0 -0x1.f9d766c4a02d0p-54 -0x1.d8869fd14237ap-54 -0x1.01d3fd32770c7p-54 "
+            "-0x1.ea141c63c85e2p-54 0x1.414bf54e3e199p-55 0x1.df94fbd47c7acp-57 -0x1.504b84dea0b01p-58 "
+            "0x1.eb5732ec8e1b5p-54 -0x1.d2cca2266e575p-56 -0x1.cf72587dc0832p-54 0x1.fd23764af4d9bp-53 "
+            "-0x1.bf3eed1d6268bp-53 0x1.22fc46ebb50c7p-53 -0x1.62407afb62380p-53 0x1.8cb78a6467794p-53 "
+        ),
+        (
+            "0x1.2a734f5b6ffbep+1 0x1.41f7104768be6p+1 0x1.53e43ee8e8e4dp+1 0x1.6801bf3001d0cp+1 "
+            "0x1.7ebe4389f694bp+1 0x1.98a7e9c806cdfp+1 0x1.b6784717bfbe2p+1 0x1.d92678f53118cp+1 "
+            "0x1.0101887f0ee00p+2 0x1.197262ba818b1p+2 0x1.37397de32080fp+2 0x1.5c5434b227a25p+2 "
+            "0x1.8be31bee85426p+2 0x1.cb1e00f1147bbp+2 0x1.11b7d08bcfffep+3 0x1.53e356038b118p+3 "
+        ),
+        (
+            "0x1.8fc0cd378a5e3p-55 0x1.00e9080eb5757p-55 0x1.7b3c4923f4eadp-53 0x1.43e24f5346980p-54 "
+            "-0x1.3f38cd4c96574p-53 0x1.7447ce940ae9fp-53 0x1.4ca31a8521ebap-54 -0x1.46005576289f8p-56 "
+            "-0x1.25ecd057e9904p-52 -0x1.eb19b1728f2b7p-54 0x1.202f3cc90d92fp-53 -0x1.fe5df6b667fb5p-53 "
+            "0x1.6c7833309cc11p-56 0x1.a7a623729ebc9p-53 0x1.baa4849bd7648p-51 -0x1.17dfbebe45620p-52 "
+        ),
+        (
+            "0x1.cfeb8b970748cp+0 0x1.0f3ceb6ad715ep+1 0x1.2f50cb7ca528cp+1 0x1.55844805a3e4dp+1 "
+            "0x1.83841b8f89f40p+1 0x1.bb9ae1474fe50p+1 0x1.007e476c0a080p+2 0x1.2c1fde070c3c9p+2 "
+            "0x1.6413c413d3890p+2 0x1.ad80e9f55e02fp+2 0x1.084942aebce31p+3 0x1.4d6fd10c2bf55p+3 "
+            "0x1.b23391baefe19p+3 0x1.26b7034ff2474p+4 0x1.a79995360181ep+4 0x1.4ae8498a7d44dp+5 "
+        ),
+        (
+            "0x1.efc70e8529556p+0 0x1.3a3e0aee76c00p+1 0x1.7446b90ad01c7p+1 0x1.bda025e5468b2p+1 "
+            "0x1.0ddbaea3f5bafp+2 0x1.4b3b0a02e1a5dp+2 0x1.9cd9c8e4c7ae9p+2 0x1.05ec00f120c00p+3 "
+            "0x1.5362035fcb0b8p+3 0x1.c2e505eb35b84p+3 0x1.34c1fae8f5a14p+4 0x1.b7113ee6a2403p+4 "
+            "0x1.477c64493735ep+5 0x1.041d232d30eafp+6 0x1.c278032da6a80p+6 0x1.ba72c9787bf85p+7 "
+        ),
+        (
+            "0x1.2d412a707cfdcp+1 0x1.9dfdf304440d9p+1 0x1.03c721670e30ep+2 0x1.4a9410a28d62bp+2 "
+            "0x1.ab5497deae872p+2 0x1.192ed78fb5129p+3 0x1.79b8ab7ca6d95p+3 0x1.03d549b637018p+4 "
+            "0x1.6fa7fb43bdd00p+4 0x1.0cf8776d5ba1dp+5 0x1.99df028633f35p+5 0x1.486ae7a347a85p+6 "
+            "0x1.188c29b4a39aep+7 0x1.04b005f14f43fp+8 0x1.0fe3cef8d8ffbp+9 0x1.4f9f53d2ed702p+10 "
+        ),
+        (
+            "0x1.888ed591604cdp+1 0x1.2463684326391p+2 0x1.84b50e0819d94p+2 0x1.06e9f399597f7p+3 "
+            "0x1.6ab938298da48p+3 0x1.ffc2e8162dbe1p+3 0x1.726fb0a179abdp+4 0x1.1447f288cd01ep+5 "
+            "0x1.aade5187a347bp+5 0x1.57e547d2f9340p+6 0x1.2384a50171efdp+7 0x1.0733eae59628dp+8 "
+            "0x1.0178fda790602p+9 0x1.17d8b486ade9bp+10 0x1.5f7d4f21d07c2p+11 0x1.10957d2b9f82bp+13 "
+        ),
+        (
+            "0x1.0b387a636a600p+2 0x1.af7cb9096fba7p+2 0x1.2fd0c799657ddp+3 0x1.b4e211ebb65b1p+3 "
+            "0x1.41a0f29778868p+4 0x1.e67b3cec56608p+4 0x1.7b7a8022c5103p+5 0x1.32d847518320bp+6 "
+            "0x1.02d2f98b0e776p+7 0x1.cb35e55e4069fp+7 0x1.b10f919c8cb90p+8 0x1.b88adf1bb143cp+9 "
+            "0x1.ed75f18085448p+10 0x1.39a641d56cb80p+12 0x1.da5c17deaa856p+13 0x1.ce2a4acfb2850p+15 "
+        ),
+        (
+            "0x1.770cc88f9ea42p+2 0x1.481761adf6170p+3 0x1.e9672b91a1621p+3 0x1.7609c28170106p+4 "
+            "0x1.25de155eb59d5p+5 0x1.dc8224e61ab50p+5 0x1.908bf8471c043p+6 0x1.5f2092ca4e0aap+7 "
+            "0x1.43603bc25439cp+8 0x1.3bdf60a3a4785p+9 0x1.4b6197781a3ffp+10 0x1.7bcdc881be404p+11 "
+            "0x1.e71b62ac86a4cp+12 0x1.6a1833f82db5cp+14 0x1.49ae7108da433p+16 0x1.93810cf65a87dp+18 "
+        ),
+        (
+            "0x1.05a7d21eaa9e4p+3 0x1.fdfdf4021302cp+3 0x1.92e687227b8bcp+4 0x1.47502222b4d01p+5 "
+            "0x1.126eed31d7609p+6 0x1.dd0a1dcf1dd6dp+6 0x1.b01ad5ed37d33p+7 0x1.9aa5dfb40210dp+8 "
+            "0x1.9ce9c114c37b4p+9 0x1.bc18c8afbbfbap+10 0x1.0322ff531573bp+12 0x1.4e9bf56500ca4p+13 "
+            "0x1.eb583c0565920p+14 0x1.ab23ebd51d1f0p+16 0x1.d43b35dc93b0cp+18 0x1.67ef063816093p+21 "
+        ),
+        (
+            "0x1.c3b6a2997b9e0p+4 0x1.9308fc335f8fdp+4 0x1.514274376ca9fp+5 0x1.233b907215beep+6 "
+            "0x1.04951a72c9c68p+7 0x1.e592acff8618ep+7 0x1.d9f3a11112bf4p+8 0x1.e849b74beca75p+9 "
+            "0x1.0c05f22bb053dp+11 0x1.3d648a1b889bbp+12 0x1.9c08d108e7824p+13 0x1.2bb1d25d9a4a9p+15 "
+            "0x1.f7d8c394ec977p+16 0x1.001c10f28959ap+19 0x1.5200517004a63p+21 0x1.465d9b371afa4p+24 "
+        ),
+        (
+            "-0x1.799fcfc250ccap+9 0x1.42b6f010a43acp+5 0x1.1e098cdd83604p+6 0x1.068b952af1b4dp+7 "
+            "0x1.f560ea5ee750fp+7 0x1.f4c32a86f0141p+8 0x1.07579a7c597e6p+10 0x1.261d8bbe4a1f3p+11 "
+            "0x1.6083525966098p+12 0x1.cb9e84409ccf0p+13 0x1.4bdba641373e5p+15 0x1.0feddc432cc88p+17 "
+            "0x1.05b3b67ce2e36p+19 0x1.371e8db7a682dp+21 0x1.ee523f21ace03p+23 0x1.2bc24bce7751cp+27 "
+        ),
+        (
+            "0x1.8740c3e30d7f8p+14 0x1.052697e40f990p+6 0x1.ea5907513b36ap+6 0x1.de654e7690ca6p+7 "
+            "0x1.e7765af55a0d5p+8 0x1.04f367d8c5da0p+10 0x1.27bd9fbba6784p+11 0x1.660fb98bd49d1p+12 "
+            "0x1.d487ee3a50b6ep+13 0x1.504b917f1d32cp+15 0x1.0e174ed7efb4cp+17 0x1.f2a2f9d67c2a9p+18 "
+            "0x1.12b00c8c84630p+21 0x1.7dd4738648406p+23 0x1.6d16ab06af542p+26 0x1.15e0786e23e7bp+30 "
+        ),
+        (
+            "-0x1.f9157219a13d9p+18 0x1.aa5e20f4fdcbep+6 0x1.a7fa693d88de3p+7 0x1.b7ab30c53a28ap+8 "
+            "0x1.de13fa54a91a5p+9 0x1.12580cb57308cp+11 0x1.4f06c0c0ff4edp+12 0x1.b7b745411f275p+13 "
+            "0x1.3a1546c96aabcp+15 0x1.f06a6402b80fdp+16 0x1.bb7a3ea1ab5dep+18 0x1.cd2babb517f9bp+20 "
+            "0x1.22d8e518f0432p+23 0x1.d8c31d4a858cfp+25 0x1.1016f5c3154cfp+29 0x1.041a9537f6a47p+33 "
+        ),
+        (
+            "0x1.7932fe7b16442p+22 0x1.5f7ee7b321e03p+7 0x1.72540fce59272p+8 0x1.9857e1ab708cfp+9 "
+            "0x1.da087c70315d4p+10 0x1.23c13b6b72f3ap+12 0x1.802b8fb5a4954p+13 0x1.1187233e24af3p+15 "
+            "0x1.ab125462cd624p+16 0x1.741fc21256abdp+18 0x1.728372a77c9a0p+20 0x1.b340b47d566fcp+22 "
+            "0x1.3b8b90d08519fp+25 0x1.2dcbe253e43b8p+28 0x1.a6b4fdac7a8d8p+31 0x1.02f718363e108p+36 "
+        ),
+        (
+            "-0x1.eefb34cef0994p+24 0x1.22da140c1af56p+8 0x1.4492a1fce47ccp+9 0x1.7c67c28d25224p+10 "
+            "0x1.d73ea3f27e873p+11 0x1.36e87b026cc8dp+13 0x1.b9213861a98d5p+14 0x1.547a5ea9ec109p+16 "
+            "0x1.222ff4ac303d6p+18 0x1.1663da595bfb2p+20 0x1.345315262c223p+22 0x1.98089cf692677p+24 "
+            "0x1.52aae7cd5d7ecp+27 0x1.7ac8b7578aba9p+30 0x1.3f5edbb67e7f2p+34 0x1.eb921e3f4ae4bp+38 "
+        ),
+    ),
+)
+# -W-1(-m)
+WM1_MIDDLE = Bank(
+    offset=0.0,
+    first=4064,
+    drop=50,
+    finer=8,
+    degree=5,
+    unit=0.0,
+    columns=(
+        (
+            "0x1.2000000000000p-7 0x1.6000000000000p-7 0x1.a000000000000p-7 0x1.e000000000000p-7 "
+            "0x1.2000000000000p-6 0x1.6000000000000p-6 0x1.a000000000000p-6 0x1.e000000000000p-6 "
+            "0x1.2000000000000p-5 0x1.6000000000000p-5 0x1.a000000000000p-5 0x1.e000000000000p-5 "
             "0x1.2000000000000p-4 0x1.6000000000000p-4 0x1.a000000000000p-4 0x1.e000000000000p-4 "
-            "0x1.1000000000000p-3 0x1.3000000000000p-3 0x1.5000000000000p-3 0x1.7000000000000p-3 "
-            "0x1.9000000000000p-3 0x1.b000000000000p-3 0x1.d000000000000p-3 0x1.f000000000000p-3 "
         ),
         (
-            "0x1.0000000000000p+0 0x1.0e4053724d492p+0 0x1.180e2bb8264cdp+0 0x1.221e0b83475e3p+0 "
-            "0x1.2c73a2a046111p+0 0x1.3712f321e93dep+0 0x1.42005b49486edp+0 0x1.4d40a0f8db255p+0 "
-            "0x1.58d8fefed181bp+0 0x1.64cf3494e2768p+0 0x1.7129978a7b237p+0 0x1.7def29ab7d9c0p+0 "
-            "0x1.8b27b21bb0afbp+0 0x1.98dbdb90ab09cp+0 0x1.a71558959d62ap+0 0x1.b5df0f5bea533p+0 "
+            "0x1.a801e223cbf6cp+2 0x1.98d4f2d4262d4p+2 0x1.8c1e5c1337243p+2 0x1.812a61b517a6ap+2 "
+            "0x1.731e91ed1b8d9p+2 0x1.6387ac4dc4ee3p+2 0x1.566fe84d6f2edp+2 0x1.4b213399e8d40p+2 "
+            "0x1.3c963092a6189p+2 0x1.2c617c988c6f2p+2 0x1.1eb52e19c10d2p+2 0x1.12d848d475d47p+2 "
+            "0x1.037fd26144e96p+2 0x1.e482ef6330b8dp+1 0x1.c71e1dd4927cap+1 0x1.ad561d87be614p+1 "
         ),
         (
-            "0x0.0p+0 -0x1.2417e77d52bb1p-54 -0x1.e9e32f5b2b165p-54 0x1.cdb9de0df450cp-55 "
-            "-0x1.ba24112b8a3c4p-54 0x1.da428c7f7ff5fp-55 0x1.39a8403568b7ap-54 -0x1.a0cb6e91c5770p-55 "
-            "-0x1.96b89d41184b1p-58 0x1.006e025a3bb13p-57 0x1.e6312e21fc41bp-54 0x1.f69179d9b6e55p-55 "
-            "0x1.f61d0336d0c20p-55 0x1.ec8255a8f591dp-55 0x1.ea3c0e6636fa5p-55 -0x1.fd13fcc9fa493p-56 "
+            "0x1.d65a46db14c22p-52 0x1.e2dd3f3fc6fb5p-60 0x1.912ccee47c663p-56 -0x1.b486959356e79p-52 "
+            "0x1.4bed0b5699bbep-52 -0x1.a3ee0208dd351p-53 0x1.a312c8387909dp-53 -0x1.81eeafc6834b1p-53 "
+            "-0x1.57f0ad9634806p-54 -0x1.0b14c04f30710p-52 -0x1.6ec44ad670953p-52 -0x1.5dee7cdf1fbf3p-54 "
+            "0x1.d0e5cd47d288fp-52 0x1.f73eaf001f0cep-56 -0x1.a53a43cdac662p-54 0x1.31d7c0926ec8dp-53 "
         ),
         (
-            "0x1.2a734f5b6ffbep+1 0x1.35bf89b6411f4p+1 0x1.3dc8a476c1ee6p+1 0x1.4642f356a41e1p+1 "
-            "0x1.4f382f09495edp+1 0x1.58b3374fde851p+1 0x1.62c0403047c62p+1 0x1.6d6d07c4bb26ap+1 "
-            "0x1.78c9169cef321p+1 0x1.84e60d32cc0efp+1 0x1.91d801a8edfe4p+1 0x1.9fb5f1f8cfb13p+1 "
-            "0x1.ae9a4ff782949p+1 0x1.bea3ae4a858e4p+1 0x1.cff597b916269p+1 0x1.e2b99d7da94f7p+1 "
+            "-0x1.0c02511737629p+7 -0x1.b97935c496a2cp+6 -0x1.77caff1a15542p+6 -0x1.477b574c11b65p+6 "
+            "-0x1.12f9b3f74a9d5p+6 -0x1.c61bf27526a7ap+5 -0x1.837fad557f7e5p+5 -0x1.527d33b7d373fp+5 "
+            "-0x1.1d3694f630b52p+5 -0x1.d92e5146f6a95p+4 -0x1.959f0a933cccep+4 -0x1.63f419c0f7c39p+4 "
+            "-0x1.2e0cb9de13744p+4 -0x1.fa0e1c1c63aeap+3 -0x1.b65d8ce691db0p+3 -0x1.850ef408947e1p+3 "
         ),
         (
-            "0x1.8fca033f0a510p-55 -0x1.49bed1484dc6ap-55 -0x1.8621c82aba08ap-53 -0x1.f7af7301f450bp-53 "
-            "-0x1.311d264686211p-56 -0x1.b82a8085ddbeap-53 -0x1.1db248337bd34p-53 0x1.a99add5a66a67p-53 "
-            "0x1.c62ad9431968fp-56 -0x1.9399bb4ef5d8bp-53 0x1.5ba216a7c9681p-53 -0x1.68524aa95a69fp-55 "
-            "-0x1.adee9cddd64b5p-53 -0x1.0d3da791e23e6p-53 -0x1.ad72df772b62dp-53 -0x1.12b2f9e926f31p-55 "
+            "0x1.1edf7785e4b73p-48 0x1.2c2599d115811p-49 0x1.3816408a9f833p-48 0x1.6503268d05aadp-49 "
+            "-0x1.c66f0eed58851p-48 0x1.abacb9c9d4223p-50 -0x1.26651d882aafep-49 0x1.b507dbfe6ef3cp-50 "
+            "-0x1.08b6dc6b6e3e5p-49 -0x1.3044b183a3ffep-51 -0x1.0066ea48fb84bp-50 0x1.28c23058e7c03p-50 "
+            "-0x1.2696a51ddd121p-50 -0x1.ada72402a93eap-54 -0x1.b3b143184b31bp-56 0x1.caf2475d6fb2ap-54 "
         ),
         (
-            "0x1.cfeb8b970748cp+0 0x1.f4df1556ac3f8p+0 0x1.08059355b357dp+1 0x1.16c1e9700eed4p+1 "
-            "0x1.26c6e9eb11b41p+1 0x1.383c20a20d6d2p+1 0x1.4b4f40891fddcp+1 0x1.603553d622e48p+1 "
-            "0x1.772c3311ba4a0p+1 0x1.907c56a09bc47p+1 0x1.ac7b1ca069131p+1 0x1.cb8da5945e3a1p+1 "
-            "0x1.ee2c765213533p+1 0x1.0a740f2e7b327p+2 0x1.20379ccdb80c6p+2 0x1.38cb23329f849p+2 "
+            "0x1.cd671398af4d0p+12 0x1.360306c41b66ep+12 0x1.bd56dde903fc9p+11 0x1.4f714e02cb242p+11 "
+            "0x1.d39de5ae00c39p+10 0x1.3a5836acc9e9dp+10 0x1.c3b96c51f5c02p+9 0x1.54548cc9dcf2dp+9 "
+            "0x1.da7e39e04b500p+8 0x1.3ee7a7edac6dap+8 0x1.c9ffaa2bef97bp+7 0x1.58b36a7c2e576p+7 "
+            "0x1.df6e0e1d272c6p+6 0x1.4098f7c84e62bp+6 0x1.c8eb0bb198da6p+5 0x1.541dd8ded8f5cp+5 "
         ),
         (
-            "0x1.efc70e85294d6p+0 0x1.166f0b38cf552p+1 0x1.2da76a0b0af82p+1 0x1.478b8062b6d30p+1 "
-            "0x1.6480d862a57e6p+1 0x1.84ffac53c2e29p+1 0x1.a9970be395e25p+1 0x1.d2f21780c60e6p+1 "
-            "0x1.00ef53556a5a8p+2 0x1.1baae5e850abbp+2 0x1.3a43690563faep+2 0x1.5d72c6012ecb3p+2 "
-            "0x1.861e8fe968f07p+2 0x1.b5647b16a9a0bp+2 0x1.ecab136fa2f8bp+2 0x1.16dc32308dc88p+3 "
+            "-0x1.0ef8b50d2add1p+19 -0x1.29ccc0516a7c5p+18 -0x1.69dc6c9690491p+17 -0x1.d850f760fc75fp+16 "
+            "-0x1.1241db7b53401p+16 -0x1.2d9b1d51d91fep+15 -0x1.6eb2e9d2ba24ep+14 -0x1.dee32659eba1fp+13 "
+            "-0x1.164804d8ecb11p+13 -0x1.3252ad9911574p+12 -0x1.74ca9d7f0383ap+11 -0x1.e757c6477ab72p+10 "
+            "-0x1.1bb395127e3a1p+10 -0x1.394af62c768c3p+9 -0x1.7f1b3f8a0d388p+8 -0x1.f88874c7b78e4p+7 "
         ),
         (
-            "0x1.2d412a7092478p+1 0x1.6005efaaafa14p+1 0x1.87eaf80a05985p+1 0x1.b5a5b8ae024ddp+1 "
-            "0x1.ea44ca1df70d7p+1 0x1.1388e89722218p+2 0x1.36d05ad026ab3p+2 0x1.5ff1b3f32efbcp+2 "
-            "0x1.9021e41d89aeep+2 0x1.c8e2ef952a2cep+2 0x1.060d5ef0f8c09p+3 0x1.2e18e6421ca9dp+3 "
-            "0x1.5e1e765c08ab4p+3 0x1.981b52d273570p+3 0x1.dea7839d91390p+3 0x1.1a9707f2add0cp+4 "
+            "0x1.67614b0cb811fp+25 0x1.430fc1396247bp+24 0x1.4c15246ff2805p+23 0x1.7792739e8f2b7p+22 "
+            "0x1.6b5c1b376be54p+21 0x1.46d299f2b619bp+20 0x1.501d698224dafp+19 0x1.7c4d0216e5b8cp+18 "
+            "0x1.7026b6726d1ebp+17 0x1.4b5ac0b001a0fp+16 0x1.54f783453ba95p+15 0x1.81f77fc9a9430p+14 "
+            "0x1.75cf916c0175bp+13 0x1.5078a19aab99bp+12 0x1.59e41898767abp+11 0x1.866732d7087b8p+10 "
         ),
         (
-            "0x1.888ed55f5b266p+1 0x1.dd33fa65cd39bp+1 0x1.10fa16571f9e5p+2 0x1.397bbc1d59c44p+2 "
-            "0x1.696ff3925e5abp+2 0x1.a27d260170dd5p+2 0x1.e6b84759eff43p+2 0x1.1c633fc760b92p+3 "
-            "0x1.4e054f578d757p+3 0x1.8a7188ad89838p+3 0x1.d47f962698adfp+3 0x1.17f5770c83f91p+4 "
-            "0x1.50d32c494fd20p+4 0x1.98297776f8332p+4 0x1.f275f23c08ff8p+4 0x1.32f082bf7818dp+5 "
+            "-0x1.fd41523dccfcfp+31 -0x1.767cd5d48db93p+30 -0x1.45ab8a66fe8f8p+29 -0x1.3f2a11ee94804p+28 "
+            "-0x1.0145a2a0ef863p+27 -0x1.7a92afd685d06p+25 -0x1.495fa33b9a83ep+24 -0x1.42ed4a3dec637p+23 "
+            "-0x1.0472f75911428p+22 -0x1.7f7f3a71fb8dep+20 -0x1.4dd9b731ccb29p+19 -0x1.477d4e6cbbd0dp+18 "
+            "-0x1.08539c6f3552ap+17 -0x1.859c7fa6fb785p+15 -0x1.53a45b467f97dp+14 -0x1.4df58b640a130p+13 "
         ),
         (
-            "0x1.0b389a6e9252ep+2 0x1.51ed8a17f8791p+2 0x1.8d486043f62f9p+2 0x1.d52e945a63c14p+2 "
-            "0x1.16604899d44f4p+3 0x1.4c03425fb0038p+3 0x1.8e1eb7e2a4d98p+3 0x1.e020aeffd0541p+3 "
-            "0x1.23484f4de7208p+4 0x1.63bbb17a6a642p+4 0x1.b579868219a7dp+4 0x1.0f02e247f47e1p+5 "
-            "0x1.527a1b2d27033p+5 0x1.aa669b19ea1aep+5 0x1.0f19167e661a7p+6 0x1.5c387903da0ecp+6 "
+            "0x1.7831387124142p+38 0x1.c49eaf22ea1d3p+36 0x1.4d057222cf3d3p+35 0x1.1ad29f6097ff0p+34 "
+            "0x1.7be89d7c6e279p+32 0x1.c950171cbe7aap+30 0x1.509e45cd3b8d6p+29 0x1.1dfcdaa2ed482p+28 "
+            "0x1.805bdab89b345p+26 0x1.cef315375fc73p+24 0x1.54f2e0ecd8b12p+23 0x1.21ce06d6df3f0p+22 "
+            "0x1.85bba1eb6a049p+20 0x1.d5bd01541d492p+18 0x1.5a15540de919dp+17 0x1.26187832244fcp+16 "
         ),
         (
-            "0x1.76f446e37f05ap+2 0x1.ed3563454be21p+2 0x1.29eaa62ab763bp+3 0x1.69d040133ed6ep+3 "
-            "0x1.b9e0db6300e9ep+3 0x1.0f6ecd9e53bf6p+4 0x1.4f91683751dd8p+4 0x1.a1a30e07412f5p+4 "
-            "0x1.05be53cb2750dp+5 0x1.4a94e6cfd418fp+5 0x1.a4ed3fd0c3ff8p+5 0x1.0e52ac2c51403p+6 "
-            "0x1.5e782059ee9eap+6 0x1.cafa85991add7p+6 0x1.2fd4fb396820cp+7 0x1.9708a34f25a9fp+7 "
+            "-0x1.1dffbb359ed3dp+45 -0x1.19826093aae29p+43 -0x1.5e7c5de1cc447p+41 -0x1.01f23023007adp+40 "
+            "-0x1.20b62685fbe3cp+38 -0x1.1c4f438561f5ap+36 -0x1.621d9cdbf81f6p+34 -0x1.04b66ab27d982p+33 "
+            "-0x1.23f36faf23bd7p+31 -0x1.1faa19a922cfap+29 -0x1.6679bf92f3554p+27 -0x1.080af47c8a43fp+26 "
+            "-0x1.27dc978a300dbp+24 -0x1.23bb69d4ac173p+22 -0x1.6bcf24922e967p+20 -0x1.0c3a23bca0610p+19 "
         ),
         (
-            "0x1.0b8c13714fb46p+3 0x1.7006acb5815d1p+3 0x1.c8dfbb87d4da3p+3 0x1.1d4e4f27097f6p+4 "
-            "0x1.669e53bcb7f57p+4 0x1.c5d560daa05eep+4 0x1.213c5a857c4e0p+5 0x1.737f3d27437dbp+5 "
-            "0x1.e10d5ede42924p+5 0x1.3a2c7d729ab6fp+6 0x1.9e334df7441dbp+6 0x1.13c4ad0187155p+7 "
-            "0x1.732769140c140p+7 0x1.f95311300ae46p+7 0x1.5c4f999b21f8fp+8 0x1.e6b2a66a48090p+8 "
+            "0x1.bc16e396505c0p+51 0x1.659c9cd3e916cp+49 0x1.78b59961cd6c7p+47 0x1.e086e74447969p+45 "
+            "0x1.c028d263b1a60p+43 0x1.690c1316e0082p+41 0x1.7c79a4f55bd9fp+39 0x1.e57fda3c9198ap+37 "
+            "0x1.c5022d299b841p+35 0x1.6d273b9ee3cdfp+33 0x1.80fcef26e6d98p+31 0x1.eb78af282b4d2p+29 "
+            "0x1.cad9092db2484p+27 0x1.721c064fa4648p+25 0x1.866eb3d7aebaap+23 0x1.f29933133332fp+21 "
         ),
         (
-            "0x1.b340bb5f820c7p+3 0x1.172398f8ccdb1p+4 0x1.64153690af155p+4 0x1.c956ae451d98dp+4 "
-            "0x1.27d0c49960441p+5 0x1.819b7e11bbf05p+5 0x1.fabcd4258a3e1p+5 0x1.4fd5a4ea04390p+6 "
-            "0x1.c13c70ed10d36p+6 0x1.2f6a6a5a487f0p+7 0x1.9e2981a41af5dp+7 0x1.1dd9a52267ffep+8 "
-            "0x1.8f5c64fc42f79p+8 0x1.1a9dc8efaeb81p+9 0x1.95a5a406cf906p+9 0x1.2793b8f47ae9cp+10 "
+            "-0x1.5e5ac1538d21ap+58 -0x1.cda20385dc0f4p+55 -0x1.9b72438c8334dp+53 -0x1.c6d54bdc90990p+51 "
+            "-0x1.6178d8a00c823p+49 -0x1.d1efab20ccf43p+46 -0x1.9f6f920f8fd82p+44 -0x1.cb658ba810906p+42 "
+            "-0x1.652db72362179p+40 -0x1.d711b2c169491p+37 -0x1.a435053f7bb1bp+35 -0x1.d0dde41d0ed6cp+33 "
+            "-0x1.69a2503e98251p+31 -0x1.dd4230c4db491p+28 -0x1.a9fae5e703e81p+26 -0x1.d78991e52f0e1p+24 "
+        ),
+        (
+            "0x1.17ea81c348dbdp+65 0x1.2dbec602ca372p+62 0x1.c71b4746dfb8dp+59 0x1.b3ff31028aa87p+57 "
+            "0x1.1a57d7d36b8ebp+55 0x1.307c209dbd868p+52 0x1.cb6720b08f39fp+49 0x1.b8411f0c0be33p+47 "
+            "0x1.1d39335523493p+45 0x1.33bf26bd8c24ep+42 0x1.d0881fc54d39fp+39 0x1.bd5940006fa4dp+37 "
+            "0x1.20adfdd5857d6p+35 0x1.37ac2732bc08fp+32 0x1.d6b79973cc592p+29 0x1.c37cabdfa52f2p+27 "
+        ),
+        (
+            "-0x1.c392e7cd2d4c1p+71 -0x1.8e681f2e283bbp+68 -0x1.fc7fc849e08c5p+65 -0x1.a63442d8dbc5dp+63 "
+            "-0x1.c766801f1bdc5p+60 -0x1.91f0b35c6e4abp+57 -0x1.0097e1e4fb7fap+55 -0x1.aa3a92d5c66a8p+52 "
+            "-0x1.cbef171237438p+49 -0x1.9623e6486c4e5p+46 -0x1.0362f8e920de1p+44 -0x1.af095d4b13fcap+41 "
+            "-0x1.d15d89147d802p+38 -0x1.9b3013bbd239fp+35 -0x1.06c0a8d6ddb6bp+33 -0x1.b4d9870678d88p+30 "
+        ),
+        (
+            "0x1.6f911c071c3f7p+78 0x1.09518e9a50a7cp+75 0x1.1e86b5896ec3bp+72 0x1.9c58fccc3553ap+69 "
+            "0x1.729e1ecc3911dp+66 0x1.0b9f61fd33de5p+63 0x1.211c89c344b68p+60 0x1.a031a65665ee6p+57 "
+            "0x1.763a0b65067fep+54 0x1.0e5b679ed8179p+51 0x1.243025030e486p+48 0x1.a4c827c3877bap+45 "
+            "0x1.7a8b5466618fbp+42 0x1.11a37b1eb8529p+39 0x1.27e3b0ce7dd52p+36 0x1.aa4f4501c202bp+33 "
+        ),
+        (
+            "-0x1.39e547e314d78p+85 -0x1.6db2d25235210p+81 -0x1.4b90154e8eef9p+78 -0x1.9b85322c4905ap+75 "
+            "-0x1.3c72f0683442ap+72 -0x1.70cfa5cbbd80fp+68 -0x1.4e7eb14ab055fp+65 -0x1.9f483aca0d156p+62 "
+            "-0x1.3f77127d60ce8p+59 -0x1.747ffab0e9ec2p+55 -0x1.51faae0f338b6p+52 -0x1.a3c3525ad6bbfp+49 "
+            "-0x1.43116dfe2ce04p+46 -0x1.78ebae568ac01p+42 -0x1.562a79b37de6bp+39 -0x1.a9290d0878de4p+36 "
+        ),
+        (
+            "0x1.02f9502037febp+92 0x1.eda13ae861ed1p+87 0x1.7aa862f0e87dcp+84 0x1.974746afdee38p+81 "
+            "0x1.050b7241cc69ap+78 0x1.f1c22d62f73bfp+73 0x1.7df285aac7cf8p+70 0x1.9aef60d8adbb3p+67 "
+            "0x1.077ce19ba2468p+64 0x1.f6a532e2cd331p+59 0x1.81da016f1ede6p+56 0x1.9f48fab565454p+53 "
+            "0x1.0a671037a9ca6p+50 0x1.fc7e980f851e7p+45 0x1.86897bee9598bp+42 0x1.a4842f10d2bf9p+39 "
         ),
     ),
 )

@@ -33,6 +33,7 @@ from ._pieces import (
     FALL_LOG,
     W0_RATIO,
     WM1_BRANCH,
+    WM1_MIDDLE,
     FALL_TAIL,
     SINE,
     ARCTANGENT,
@@ -1942,7 +1943,63 @@ def w0_pair(x, x_lo):
 
 
 def _wm1_0(x):
-    """W-1(x): w exp(w) = x, w <= -1; -inf at 0, for x in [-0.3056, -1e-49)."""
+    """W-1(x): w exp(w) = x, w <= -1; -inf at 0, for x in [-0.3678794411714423, -0.124)."""
+    sum = x + 0.36787944117144233
+    sum_rest = op.sum_rest(x, 0.36787944117144233, sum)
+    sum_off = sum_rest + (-1.2428753672788363e-17)
+    delta = sum + sum_off
+    delta_lo = (sum - delta) + sum_off
+    q = np.sqrt(delta)
+    q_e0 = op.product_rest(q, q, delta)
+    q_e1 = q_e0 - delta_lo
+    q_twice = q * (-2.0) + (-9.332636185032189e-302)
+    q_lo = q_e1 / q_twice
+    w, w_lo = near_pair(WM1_BRANCH, q, q_lo)
+    r = 0.0 - w
+    lo = 0.0 - w_lo
+    return r, lo
+
+
+def _wm1_0_pair(x, x_lo):
+    """The same at x + x_lo."""
+    sum = x + 0.36787944117144233
+    sum_rest = op.sum_rest(x, 0.36787944117144233, sum)
+    e_lo = x_lo + (-1.2428753672788363e-17)
+    sum_off = sum_rest + e_lo
+    delta = sum + sum_off
+    delta_lo = (sum - delta) + sum_off
+    q = np.sqrt(delta)
+    q_e0 = op.product_rest(q, q, delta)
+    q_e1 = q_e0 - delta_lo
+    q_twice = q * (-2.0) + (-9.332636185032189e-302)
+    q_lo = q_e1 / q_twice
+    w, w_lo = near_pair(WM1_BRANCH, q, q_lo)
+    r = 0.0 - w
+    lo = 0.0 - w_lo
+    return r, lo
+
+
+def _wm1_1(x):
+    """W-1(x): w exp(w) = x, w <= -1; -inf at 0, for x in [-0.124, -0.0078125)."""
+    m = np.abs(x)
+    w, w_lo = near(WM1_MIDDLE, m)
+    r = 0.0 - w
+    lo = 0.0 - w_lo
+    return r, lo
+
+
+def _wm1_1_pair(x, x_lo):
+    """The same at x + x_lo."""
+    m = np.abs(x)
+    m_lo = x_lo * (-1.0)
+    w, w_lo = near_pair(WM1_MIDDLE, m, m_lo)
+    r = 0.0 - w
+    lo = 0.0 - w_lo
+    return r, lo
+
+
+def _wm1_2(x):
+    """W-1(x): w exp(w) = x, w <= -1; -inf at 0, for x in [-0.0078125, -1e-49)."""
     m0 = np.abs(x)
     m = m0 * 1.0
     y_k0 = op.exponent(m)
@@ -1985,7 +2042,7 @@ def _wm1_0(x):
     return r, lo
 
 
-def _wm1_0_pair(x, x_lo):
+def _wm1_2_pair(x, x_lo):
     """The same at x + x_lo."""
     m0 = np.abs(x)
     m = m0 * 1.0
@@ -2032,44 +2089,7 @@ def _wm1_0_pair(x, x_lo):
     return r, lo
 
 
-def _wm1_1(x):
-    """W-1(x): w exp(w) = x, w <= -1; -inf at 0, for x in [-0.3678794411714423, -0.3056)."""
-    sum = x + 0.36787944117144233
-    sum_rest = op.sum_rest(x, 0.36787944117144233, sum)
-    sum_off = sum_rest + (-1.2428753672788363e-17)
-    delta = sum + sum_off
-    delta_lo = (sum - delta) + sum_off
-    q = np.sqrt(delta)
-    q_e0 = op.product_rest(q, q, delta)
-    q_e1 = q_e0 - delta_lo
-    q_twice = q * (-2.0) + (-9.332636185032189e-302)
-    q_lo = q_e1 / q_twice
-    w, w_lo = near_pair(WM1_BRANCH, q, q_lo)
-    r = 0.0 - w
-    lo = 0.0 - w_lo
-    return r, lo
-
-
-def _wm1_1_pair(x, x_lo):
-    """The same at x + x_lo."""
-    sum = x + 0.36787944117144233
-    sum_rest = op.sum_rest(x, 0.36787944117144233, sum)
-    e_lo = x_lo + (-1.2428753672788363e-17)
-    sum_off = sum_rest + e_lo
-    delta = sum + sum_off
-    delta_lo = (sum - delta) + sum_off
-    q = np.sqrt(delta)
-    q_e0 = op.product_rest(q, q, delta)
-    q_e1 = q_e0 - delta_lo
-    q_twice = q * (-2.0) + (-9.332636185032189e-302)
-    q_lo = q_e1 / q_twice
-    w, w_lo = near_pair(WM1_BRANCH, q, q_lo)
-    r = 0.0 - w
-    lo = 0.0 - w_lo
-    return r, lo
-
-
-def _wm1_2(x):
+def _wm1_3(x):
     """W-1(x): w exp(w) = x, w <= -1; -inf at 0, for x in [-1e-49, 0.0)."""
     m0 = np.abs(x)
     m = m0 * 1.8446744073709552e+19
@@ -2113,7 +2133,7 @@ def _wm1_2(x):
     return r, lo
 
 
-def _wm1_2_pair(x, x_lo):
+def _wm1_3_pair(x, x_lo):
     """The same at x + x_lo."""
     m0 = np.abs(x)
     m = m0 * 1.8446744073709552e+19
@@ -2160,14 +2180,14 @@ def _wm1_2_pair(x, x_lo):
     return r, lo
 
 
-def _wm1_3(x):
+def _wm1_4(x):
     """W-1(x): w exp(w) = x, w <= -1; -inf at 0, for x in [0.0, 5e-324)."""
     r = x - inf
     lo = 0.0
     return r, lo
 
 
-def _wm1_3_pair(x, x_lo):
+def _wm1_4_pair(x, x_lo):
     """The same at x + x_lo."""
     r = x - inf
     lo = 0.0
@@ -2180,10 +2200,11 @@ _WM1 = {
     "parity": "",
     "pole": 0.0,
     "forms": (
-        (-0.3056, -1e-49, _wm1_0, _wm1_0_pair),
-        (-inf, -0.3056, _wm1_1, _wm1_1_pair),
-        (-1e-49, 0.0, _wm1_2, _wm1_2_pair),
-        (0.0, 5e-324, _wm1_3, _wm1_3_pair),
+        (-inf, -0.124, _wm1_0, _wm1_0_pair),
+        (-0.124, -0.0078125, _wm1_1, _wm1_1_pair),
+        (-0.0078125, -1e-49, _wm1_2, _wm1_2_pair),
+        (-1e-49, 0.0, _wm1_3, _wm1_3_pair),
+        (0.0, 5e-324, _wm1_4, _wm1_4_pair),
     ),
 }
 

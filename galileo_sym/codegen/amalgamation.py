@@ -12,7 +12,7 @@ _DEFINITION = re.compile(  # with the comment before it; in a line, or in many
     re.MULTILINE | re.DOTALL,
 )
 _TABLE = re.compile(r"^GS_TABLE\((gs_\w+)\) = \{\n.*?^\};\n", re.MULTILINE | re.DOTALL)
-_PASTED = ("_value", "_quick", "_kind0")
+_PASTED = ("_value", "_quick0", "_kind0", "_any_single")
 _NAME = re.compile(r"\bgs_\w+")
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _FIRST = ("special.c", "lanes.c")  # they set what the vector header asks for

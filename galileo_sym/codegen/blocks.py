@@ -7,18 +7,38 @@ from galileo_sym.codegen.kernels import c_number
 from galileo_sym.primitives.frames import Frame
 from galileo_sym.primitives.kernels import KERNELS
 
+_LEAST_SINGLE, _BEYOND_SINGLES = 2.0**-149, 2.0**128
+
 
 @dataclass(frozen=True)
 class Kind:
-    """The numbers that one form serves: the test of m for them, the form's call of m, an argument it takes."""
+    """The numbers that one range of a primitive serves: its index, the test of m, its call of m, a harmless argument.
 
+    ``single`` tells whether floats are among them.
+    """
+
+    index: int
     test: str
     call: str
     harmless: float
+    single: bool
 
+
+@dataclass(frozen=True)
+class Loop:
+    """An array loop: the type of its arrays, how vectors are moved, and what ends the names of its functions."""
+
+    real: str
+    load: str
+    store: str
+    end: str
+
+
+DOUBLES = Loop("double", "gs_v_load", "gs_v_store", "")
+SINGLES = Loop("float", "gs_v_widen", "gs_v_narrow", "_single")
 
 # parity: (what the ranges are of, the value found there with the sign that is due)
-_PARITIES = {"": ("x", "{}"), "even": ("gs_abs(x)", "{}"), "odd": ("gs_abs(x)", "gs_flip({}, x)")}
+PARITIES = {"": ("x", "{}"), "even": ("gs_abs(x)", "{}"), "odd": ("gs_abs(x)", "gs_flip({}, x)")}
 
 
 def _call(kernel, index):
@@ -40,61 +60,64 @@ def kinds(kernel):
         begin, end = c_number(each.begin), c_number(each.end)
         open_end = isinf(each.end) and inf not in singles
         test = f"gs_at_least(m, {begin})" if open_end else f"gs_within(m, {begin}, {end})"
-        out.append(Kind(test, _call(kernel, index), each.harmless))
+        least, greatest = sorted((abs(each.begin), abs(each.end)))
+        single = least < _BEYOND_SINGLES and greatest > _LEAST_SINGLE
+        out.append(Kind(index, test, _call(kernel, index), each.harmless, single))
     return out
 
 
-def _functions(kernel, index, kind):
+def functions(kernel, kind):
+    """Return the C test for the numbers of a kind, and the function of a vector of them."""
     name = f"gs_{kernel.name}"
-    argument, signed = _PARITIES[kernel.parity]
+    argument, signed = PARITIES[kernel.parity]
     rest = "    gs_v lo;\n" if "&lo" in kind.call else ""
     return (
-        f"static inline gs_mask {name}_is_kind{index}(gs_v x)\n{{\n    const gs_v m = {argument};\n"
+        f"static inline gs_mask {name}_is_kind{kind.index}(gs_v x)\n{{\n    const gs_v m = {argument};\n"
         f"    return {kind.test};\n}}\n"
-        f"static inline gs_v {name}_kind{index}(gs_v x)\n{{\n{rest}    const gs_v m = {argument};\n"
+        f"static inline gs_v {name}_kind{kind.index}(gs_v x)\n{{\n{rest}    const gs_v m = {argument};\n"
         f"    const gs_v r = {kind.call};\n    return {signed.format('r')};\n}}\n"
     )
 
 
-def _mixed(kernel, others):
-    """A block: its numbers by kind; all else, and the typical ones, go the general way."""
-    name, indices = f"gs_{kernel.name}", range(1, len(others) + 1)
+def mixed(kernel, others, loop):
+    """Return the C function for a block: other kinds of numbers apart; all else, and the typical, the general way."""
+    name, indices = f"gs_{kernel.name}", [kind.index for kind in others]
     every = (0, *indices)
-    either = "in1"
+    elsewhere = f"in{indices[0]}"
     for i in indices[1:]:
-        either = f"gs_either({either}, in{i})"
+        elsewhere = f"gs_either({elsewhere}, in{i})"
     masks = [f"const gs_mask in{i} = {name}_is_kind{i}(v);" for i in indices]
-    masks += [f"const gs_mask in0 = gs_not({either});"]
+    masks += [f"const gs_mask in0 = gs_not({elsewhere});"]
     lines = [
-        f"static inline gs_v {name}_any(gs_v x)",
-        "{",
-        "    gs_v lo;",
-        f"    return {name}_value(x, &lo);",
-        "}",
-        f"static GS_RARE void {name}_mixed(size_t n, const double *x, double *value)",
+        f"static GS_RARE void {name}_mixed{loop.end}(size_t n, const {loop.real} *x, {loop.real} *value)",
         "{",
         f"    double {', '.join(f'part{i}[GS_BLOCK + GS_LANES]' for i in every)};",
         f"    size_t {', '.join(f'length{i} = 0' for i in every)}, {', '.join(f'taken{i} = 0' for i in every)};",
         "    for (size_t i = 0; i < n; i += GS_LANES) {",
-        "        const gs_v v = gs_v_load(x + i);",
+        f"        const gs_v v = {loop.load}(x + i);",
         *(f"        {mask}" for mask in masks),
         *(f"        length{i} = gs_append(part{i}, length{i}, in{i}, v);" for i in every),
         "    }",
-        f"    GS_SERVE({name}_any, {c_number(kernel.ranges[0].harmless)}, part0, length0);",
+        f"    GS_SERVE({name}_any{loop.end}, {c_number(kernel.ranges[0].harmless)}, part0, length0);",
         *(
-            f"    GS_SERVE({name}_kind{i}, {c_number(kind.harmless)}, part{i}, length{i});"
-            for i, kind in zip(indices, others, strict=True)
+            f"    GS_SERVE({name}_kind{k.index}{loop.end}, {c_number(k.harmless)}, part{k.index}, length{k.index});"
+            for k in others
         ),
         "    for (size_t i = 0; i < n; i += GS_LANES) {",
-        "        const gs_v v = gs_v_load(x + i);",
+        f"        const gs_v v = {loop.load}(x + i);",
         *(f"        {mask}" for mask in masks),
         "        gs_v r = v;",
         *(f"        r = gs_take(part{i}, &taken{i}, in{i}, r);" for i in every),
-        "        gs_v_store(value + i, r);",
+        f"        {loop.store}(value + i, r);",
         "    }",
         "}",
     ]
     return "\n".join(lines) + "\n"
+
+
+def _any(kernel):
+    name = f"gs_{kernel.name}"
+    return f"static inline gs_v {name}_any(gs_v x)\n{{\n    gs_v lo;\n    return {name}_value(x, &lo);\n}}\n"
 
 
 def loops():
@@ -107,8 +130,8 @@ def blocks_header(template):
     out = []
     for name, kernel in KERNELS.items():
         found = kinds(kernel)
-        out.append(f"GS_LOOPS({name})\n")
+        out += [f"GS_LOOPS({name})\n", *(functions(kernel, kind) for kind in found)]
         if len(found) > 1:
-            out += [_functions(kernel, index, kind) for index, kind in enumerate(found)]
-            out += [_mixed(kernel, found[1:]), f"GS_BLOCKS({name})\n\n"]
+            out += [_any(kernel), mixed(kernel, found[1:], DOUBLES), f"GS_BLOCKS({name})\n"]
+        out.append("\n")
     return template.replace("@KINDS@\n", "".join(out))

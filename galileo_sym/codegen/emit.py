@@ -27,6 +27,7 @@ from galileo_sym.codegen import (
     numpy_kernels,
     numpy_steps,
     pairs,
+    singles,
     stubs,
     tables,
     ufunc,
@@ -134,8 +135,8 @@ def _sources():
     files["c/galileo_blocks.h"] = _c(
         "templates/c/galileo_blocks.h", blocks.blocks_header(_template("c/galileo_blocks.h"))
     )
-    singles = lean.singles(_template("c/galileo_singles.h"))
-    files["c/galileo_singles.h"] = _c("templates/c/galileo_singles.h", singles)
+    quick = singles.singles_header(_template("c/galileo_singles.h"))
+    files["c/galileo_singles.h"] = _c("templates/c/galileo_singles.h", quick)
     files["c/galileo_scaled.h"] = _c("the catalogue", lanes.scaled_header())
     files["c/galileo_forms.h"] = _c("the stable forms of both papers", lanes.forms_header())
     for name, suffix in product(kernels.VERSIONED, kernels.TARGETS):

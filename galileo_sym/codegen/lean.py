@@ -2,6 +2,7 @@
 
 from galileo_sym.codegen.kernels import c_number, lines_text, table_text
 from galileo_sym.codegen.pairs import IN_LANES, PAIRS, served_text
+from galileo_sym.codegen.singles import single_kinds
 from galileo_sym.primitives.kernels import KERNELS
 from galileo_sym.primitives.lean import TOLERANCE, banks, columns, near_lines, plain
 
@@ -13,7 +14,6 @@ _HEAD = f"""\
 #include "galileo_pairs.h"
 
 """
-_PARITIES = {"": ("wide", ""), "even": ("gs_abs(wide)", ""), "odd": ("gs_abs(wide)", "    *r = gs_flip(*r, wide);\n")}
 
 
 def _bank_text(bank):
@@ -60,34 +60,16 @@ def lean_header():
     """Return the C header of all primitives in plain arithmetic, with the approximations they call."""
     others = [kernel for name, kernel in KERNELS.items() if name not in IN_LANES]
     kernels = [PAIRS[name] for name in IN_LANES]
-    ranges = {kernel.name: [plain(served.lines) for served in kernel.ranges] for kernel in kernels}
-    ranges |= {kernel.name: [plain(kernel.ranges[0].lines)] for kernel in others}
-    needed = dict.fromkeys(bank for lines in ranges.values() for each in lines for bank in banks(each))
+    ranges = {kernel.name: dict(enumerate(plain(each) for each in kernel.ranges)) for kernel in kernels}
+    for kernel in others:
+        served = [kind.index for kind in single_kinds(kernel)]
+        ranges[kernel.name] = {index: plain(kernel.ranges[index]) for index in served}
+    needed = dict.fromkeys(bank for lines in ranges.values() for each in lines.values() for bank in banks(each))
     out = [_HEAD, *map(_bank_text, needed)]
     for kernel in (*kernels, *others):
-        out += [_range_text(kernel, index, lines) for index, lines in enumerate(ranges[kernel.name])]
+        out += [_range_text(kernel, index, lines) for index, lines in ranges[kernel.name].items()]
         out.append(_choice(kernel) if kernel in kernels else "")
     return "".join([*out, "#endif\n"])
-
-
-def _single(name, kernel):
-    """An array function of floats: with pairs only where plain arithmetic leaves the rounding open."""
-    typical = kernel.ranges[0]
-    argument, signed = _PARITIES[kernel.parity]
-    begin, end = c_number(typical.begin), c_number(typical.end)
-    return (
-        f"static inline gs_mask gs_{name}_quick(gs_v wide, gs_v *r)\n{{\n"
-        f"    const gs_v m = {argument};\n"
-        f"    const gs_mask inside = gs_within(m, {begin}, {end});\n"
-        f"    *r = gs_{name}_range0_lean(gs_select(inside, m, {c_number(typical.harmless)}));\n{signed}"
-        "    return gs_both(inside, gs_rounds_one_way(*r));\n}\n\n"
-        f"GS_SINGLES({name})\n"
-    )
-
-
-def singles(template):
-    """Return the C header of the primitives in binary32, correctly rounded, for a source that has set GS_SUFFIX."""
-    return template.replace("@SINGLES@\n", "\n".join(_single(name, kernel) for name, kernel in KERNELS.items()))
 
 
 def calls():

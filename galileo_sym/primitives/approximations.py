@@ -56,6 +56,11 @@ def _wm1_branch(q):
     return +value
 
 
+def _wm1_middle(m):
+    """-W-1(-m): between the branch point and 0 it needs neither root nor logarithm."""
+    return -mp.lambertw(-m, -1).real
+
+
 def _rise_factor(p):
     """(1 - exp(-tau))/p: 1 + W0(-exp(-1 - x)) over p = sqrt(2 x)."""
     return -mp.expm1(-p * mp_value("descent_factor", p)) / p if p else mpf(1)
@@ -117,7 +122,8 @@ APPROXIMATIONS = {
         Approximation("best_angle", _of("best_angle"), 1.0, 13, "asin(a/(exp(s) - 1)), 1 + (s - 1) exp(s) = a^2"),
         Approximation("max_range_factor", _max_range_factor, 0.5, 14, "sqrt(1 - (1 + s) exp(-s))/a, s as in best_sine"),
         Approximation("w0_ratio", _w0_ratio, 0.3125, 15, "W0(x)/x, x = q^2 - 1/e"),
-        Approximation("wm1_branch", _wm1_branch, 1.0, 9, "-W-1(x), x = q^2 - 1/e", fraction_bits=6),
+        Approximation("wm1_branch", _wm1_branch, 1.0, 14, "-W-1(x), x = q^2 - 1/e", fraction_bits=5),
+        Approximation("wm1_middle", _wm1_middle, 0.0, 14, "-W-1(-m)", _first(2.0**-7, 2)),
         Approximation("rise_factor", _rise_factor, 0.625, 16, "(1 - exp(-tau))/p, tau - 1 + exp(-tau) = p^2/2"),
         Approximation("sine", mp.sin, 0.125, 10, "sin(x)"),
         Approximation("arctangent", mp.atan, 0.25, 13, "arctan(x)"),

@@ -32,6 +32,7 @@ with mp.workdps(_DIGITS):
     # with 32 bits, up to 2^21
     STEP, STEP_LO = _cut(mp.log(2) / 16, 42)
     SHORT_STEP, SHORT_STEP_LO = _cut(mp.log(2) / 16, 36)
+    NEAREST_STEP = float(mp.log(2) / 16)
     STEPS = float(16 / mp.log(2))  # in a unit
     SIXTEENTHS = {
         name: tuple(_parts(mpf(2) ** (mpf(-j) / 16), 2)[part] for j in range(16))
@@ -80,6 +81,20 @@ def _exponential(given, step=STEP, step_lo=STEP_LO):
         Line("hi_lo", "rest", ("s", "e", "hi")),
     ]
 
+
+_FEWER = [  # the same to 2^-42, which binary32 does not feel
+    Line("u", "fma", ("x", STEPS, _SHIFT)),
+    Line("k", "sub", ("u", _SHIFT)),
+    Line("j", "low_index", ("u",)),
+    Line("power", "power", ("u",)),
+    Line("t", "product_rest", ("k", NEAREST_STEP, "x")),
+    Line("q5", "copy", (_SERIES[3],)),
+    *(Line(f"q{n}", "fma", (f"q{n + 1}", "t", _SERIES[n - 2])) for n in (4, 3, 2)),
+    Line("q1", "fma", ("q2", "t", 1.0)),
+    Line("q0", "fma", ("q1", "t", 1.0)),
+    Line("c", "mul", (("pick", "sixteenth", "j"), "power")),
+    Line("r", "mul", ("q0", "c")),
+]
 
 _BELOW = 900  # binades taken off beforehand where exp(-x) may be subnormal
 
@@ -152,6 +167,7 @@ _EXP_MINUS = Frame(
             0.0,
             _NORMAL,
             (*_exponential(0), Line("r", "mul", ("hi", "power")), Line("lo", "mul", ("hi_lo", "power"))),
+            fewer=tuple(_FEWER),
         ),
         Range(_NORMAL, _LAST, tuple(_subnormal())),
         Range(

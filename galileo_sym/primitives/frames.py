@@ -9,12 +9,15 @@ class Range:
 
     ``lines`` are for x + x_lo; `lines.alone` makes those for x of them.
     ``instead`` is the argument that other lanes are given: one that raises no flag; begin by default.
+    ``fewer`` are the lines that compute ``r`` for binary32, in plain arithmetic; by default those that are left of
+    ``lines`` without what is there for ``lo``.
     """
 
     begin: float
     end: float
     lines: tuple
     instead: float = None
+    fewer: tuple = ()
 
     @property
     def harmless(self):

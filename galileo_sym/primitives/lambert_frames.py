@@ -34,7 +34,8 @@ _NO_MORE_RISE = 43.9  # from here 1 + W0(-exp(-1 - x)) is 1 but for 2^-64
 _FALL_END = 112.0  # sqrt(2 x) < 15
 _LOG_END = 60.0  # for y beyond, log(1 + sigma) is y to the last digit, sigma - log(1 + sigma) = exp(y)
 _LARGE = 21.5  # sqrt(x + 1/e) < 4.6875, log x > 3
-_BRANCH_END = -0.3056  # sqrt(x + 1/e) < 1/4
+_BRANCH_END = -0.124  # sqrt(x + 1/e) < 1/2, -x < 1/8
+_MIDDLE_END = -(2.0**-7)
 _SMALL = -1e-49  # sqrt(-2 - 2 log(-x)) is 14.95
 _SUBNORMAL_SCALE = 64
 
@@ -126,6 +127,12 @@ def _wm1(bank, scaled):
 
 
 _WM1_BRANCH = [*_BRANCH_ROOT, Line("w", "near_pair", ("wm1_branch", "q", "q_lo")), *result("w", -1.0)]
+_WM1_MIDDLE = [
+    Line("m", "abs", ("x",)),
+    Line("m_lo", "mul", ("x_lo", -1.0)),
+    Line("w", "near_pair", ("wm1_middle", "m", "m_lo")),
+    *result("w", -1.0),
+]
 
 
 def _range(begin, end, lines):
@@ -172,10 +179,11 @@ FRAMES = (
     Frame(
         "wm1",
         "W-1(x): w exp(w) = x, w <= -1; -inf at 0",
-        ("wm1_branch", "log", "fall_factor", "fall_tail"),
+        ("wm1_branch", "wm1_middle", "log", "fall_factor", "fall_tail"),
         (
-            _range(_BRANCH_END, _SMALL, _wm1("fall_factor", 0)),
             _range(LEAST, _BRANCH_END, _WM1_BRANCH),
+            _range(_BRANCH_END, _MIDDLE_END, _WM1_MIDDLE),
+            _range(_MIDDLE_END, _SMALL, _wm1("fall_factor", 0)),
             _range(_SMALL, 0.0, _wm1("fall_tail", _SUBNORMAL_SCALE)),
             _range(0.0, LEAST_POSITIVE, single("sub", "x", inf)),
         ),

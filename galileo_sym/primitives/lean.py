@@ -16,10 +16,11 @@ _DIGITS = 60
 _CHECKS = 12
 DEGREES = {
     **dict.fromkeys(("phi1m", "phi1m_tail", "phi2m", "phi2m_tail", "flight_factor", "range_factor", "range_tail"), 8),
-    **dict.fromkeys(("max_range_factor", "omega", "w0_ratio"), 8),
+    **dict.fromkeys(("max_range_factor", "omega", "w0_ratio", "wm1_branch"), 8),
     **dict.fromkeys(("descent_factor", "flight_tail", "arctangent", "best_sine", "best_angle"), 7),
     **dict.fromkeys(("grown_loss", "grown_loss_tail", "grown_balance", "grown_balance_tail"), 7),
     "rise_factor": 9,
+    **dict.fromkeys(("wm1_middle", "arctangent_tail", "fall_log"), 8),
     "fall_factor": 6,
     "sine": 6,
     "log": 5,
@@ -109,8 +110,13 @@ def _is_rest(line, made):
     )
 
 
-def plain(lines):
-    """Return lines that compute ``r`` alone, in plain arithmetic, from those for x + x_lo."""
+def plain(served):
+    """Return the lines that compute ``r`` alone on a range, in plain arithmetic."""
+    return served.fewer or _without_rests(served.lines)
+
+
+def _without_rests(lines):
+    """What is left of lines for x + x_lo without rests."""
     zero, instead, found, made = {"x_lo"}, {}, [], {}
     for given in lines:
         if given.name == "lo":

@@ -839,7 +839,7 @@ GS_LOOPS(wm1)
 static inline gs_mask gs_wm1_is_kind0(gs_v x)
 {
     const gs_v m = x;
-    return gs_within(m, gs_v_of(-0x1.38ef34d6a161ep-2), gs_v_of(-0x1.2b50c6ec4f313p-163));
+    return gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(-0x1.fbe76c8b43958p-4));
 }
 static inline gs_v gs_wm1_kind0(gs_v x)
 {
@@ -851,7 +851,7 @@ static inline gs_v gs_wm1_kind0(gs_v x)
 static inline gs_mask gs_wm1_is_kind1(gs_v x)
 {
     const gs_v m = x;
-    return gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(-0x1.38ef34d6a161ep-2));
+    return gs_within(m, gs_v_of(-0x1.fbe76c8b43958p-4), gs_v_of(-0x1.0000000000000p-7));
 }
 static inline gs_v gs_wm1_kind1(gs_v x)
 {
@@ -863,13 +863,25 @@ static inline gs_v gs_wm1_kind1(gs_v x)
 static inline gs_mask gs_wm1_is_kind2(gs_v x)
 {
     const gs_v m = x;
-    return gs_within(m, gs_v_of(-0x1.2b50c6ec4f313p-163), gs_v_of(0x0.0p+0));
+    return gs_within(m, gs_v_of(-0x1.0000000000000p-7), gs_v_of(-0x1.2b50c6ec4f313p-163));
 }
 static inline gs_v gs_wm1_kind2(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_wm1_range2(m, &lo);
+    return r;
+}
+static inline gs_mask gs_wm1_is_kind3(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(-0x1.2b50c6ec4f313p-163), gs_v_of(0x0.0p+0));
+}
+static inline gs_v gs_wm1_kind3(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = x;
+    const gs_v r = gs_wm1_range3(m, &lo);
     return r;
 }
 static inline gs_v gs_wm1_any(gs_v x)
@@ -879,29 +891,34 @@ static inline gs_v gs_wm1_any(gs_v x)
 }
 static GS_RARE void gs_wm1_mixed(size_t n, const double *x, double *value)
 {
-    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
-    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES], part3[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, length3 = 0, taken0 = 0, taken1 = 0, taken2 = 0, taken3 = 0;
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_load(x + i);
         const gs_mask in1 = gs_wm1_is_kind1(v);
         const gs_mask in2 = gs_wm1_is_kind2(v);
-        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        const gs_mask in3 = gs_wm1_is_kind3(v);
+        const gs_mask in0 = gs_not(gs_either(gs_either(in1, in2), in3));
         length0 = gs_append(part0, length0, in0, v);
         length1 = gs_append(part1, length1, in1, v);
         length2 = gs_append(part2, length2, in2, v);
+        length3 = gs_append(part3, length3, in3, v);
     }
-    GS_SERVE(gs_wm1_any, gs_v_of(-0x1.38ef34d6a161ep-2), part0, length0);
-    GS_SERVE(gs_wm1_kind1, gs_v_of(-0x1.78b56362cef37p-2), part1, length1);
-    GS_SERVE(gs_wm1_kind2, gs_v_of(-0x1.2b50c6ec4f313p-163), part2, length2);
+    GS_SERVE(gs_wm1_any, gs_v_of(-0x1.78b56362cef37p-2), part0, length0);
+    GS_SERVE(gs_wm1_kind1, gs_v_of(-0x1.fbe76c8b43958p-4), part1, length1);
+    GS_SERVE(gs_wm1_kind2, gs_v_of(-0x1.0000000000000p-7), part2, length2);
+    GS_SERVE(gs_wm1_kind3, gs_v_of(-0x1.2b50c6ec4f313p-163), part3, length3);
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_load(x + i);
         const gs_mask in1 = gs_wm1_is_kind1(v);
         const gs_mask in2 = gs_wm1_is_kind2(v);
-        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        const gs_mask in3 = gs_wm1_is_kind3(v);
+        const gs_mask in0 = gs_not(gs_either(gs_either(in1, in2), in3));
         gs_v r = v;
         r = gs_take(part0, &taken0, in0, r);
         r = gs_take(part1, &taken1, in1, r);
         r = gs_take(part2, &taken2, in2, r);
+        r = gs_take(part3, &taken3, in3, r);
         gs_v_store(value + i, r);
     }
 }
@@ -980,7 +997,33 @@ static GS_RARE void gs_exp_minus_mixed(size_t n, const double *x, double *value)
 GS_BLOCKS(exp_minus)
 
 GS_LOOPS(sin)
+static inline gs_mask gs_sin_is_kind0(gs_v x)
+{
+    const gs_v m = gs_abs(x);
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.921fb54442d19p+0));
+}
+static inline gs_v gs_sin_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = gs_abs(x);
+    const gs_v r = gs_sin_range0(m, &lo);
+    return gs_flip(r, x);
+}
+
 GS_LOOPS(cos)
+static inline gs_mask gs_cos_is_kind0(gs_v x)
+{
+    const gs_v m = gs_abs(x);
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.921fb54442d19p+0));
+}
+static inline gs_v gs_cos_kind0(gs_v x)
+{
+    gs_v lo;
+    const gs_v m = gs_abs(x);
+    const gs_v r = gs_cos_range0(m, &lo);
+    return r;
+}
+
 GS_LOOPS(arctan)
 static inline gs_mask gs_arctan_is_kind0(gs_v x)
 {

@@ -1426,6 +1426,78 @@ static inline gs_v gs_fall_factor_lean(gs_v x)
     return r;
 }
 
+GS_TABLE(gs_fall_log_lean0) = {
+    0x1.23d5f0b476ba0p+2, 0x1.61af42e450483p+2, 0x1.a0b7fb7a1c6c9p+2, 0x1.e04ce2f6c4cdbp+2,
+    0x1.200a1ad0796e5p+3, 0x1.6001a446e7485p+3, 0x1.a000425cd7550p+3, 0x1.e0000a43ace05p+3,
+    0x1.2000004dad537p+4, 0x1.60000001b8e39p+4, 0x1.a0000000097acp+4, 0x1.e000000000331p+4,
+    0x1.2000000000001p+5, 0x1.6000000000000p+5, 0x1.a000000000000p+5, 0x1.e000000000000p+5
+};
+GS_TABLE(gs_fall_log_lean1) = {
+    0x1.e75080a2e6881p-1, 0x1.f4b1249509bb5p-1, 0x1.fb095804c17d1p-1, 0x1.fde2345fe3b7bp-1,
+    0x1.ff6e8fbd11a31p-1, 0x1.ffe7ec717ca8ap-1, 0x1.fffc260dbfb18p-1, 0x1.ffff6608f4b80p-1,
+    0x1.fffff6cd31965p-1, 0x1.ffffffcb49327p-1, 0x1.fffffffedbe53p-1, 0x1.fffffffff9d3bp-1,
+    0x1.fffffffffffb5p-1, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0
+};
+GS_TABLE(gs_fall_log_lean2) = {
+    0x1.2975995a44d65p-6, 0x1.233f28aea5c0ap-7, 0x1.0abd1d3c762d7p-8, 0x1.d3f50e7d4d50cp-10,
+    0x1.024f8b27c8be5p-11, 0x1.5e2513d2b7014p-14, 0x1.c70a3c780ed03p-17, 0x1.1f66709dfc946p-19,
+    0x1.16004f8149d65p-23, 0x1.928ca18dcc13ap-29, 0x1.18dfc7375f438p-34, 0x1.7deb5b683750cp-40,
+    0x1.24200d2abc430p-48, 0x1.ed1b3c1517cbdp-60, 0x1.91c8fe7fdf94ep-71, 0x1.3f53474a25518p-82
+};
+GS_TABLE(gs_fall_log_lean3) = {
+    -0x1.09b86d417cd57p-8, -0x1.243cca95b636dp-9, -0x1.1e88e841b7121p-10, -0x1.062c60489721dp-11,
+    -0x1.2cc93169ab5f4p-13, -0x1.a4097d6ae4a8ap-16, -0x1.1610ea65132c1p-18, -0x1.63d3c6b53c7c3p-21,
+    -0x1.5cfaf0f6fe271p-25, -0x1.ff5d8664dd8b1p-31, -0x1.67a9e4e902479p-36, -0x1.ebdfc2ada34c7p-42,
+    -0x1.881b5f9aed65fp-50, -0x1.4d4ad0e60699bp-61, -0x1.10e27ecb05112p-72, -0x1.b348ee766f5a5p-84
+};
+GS_TABLE(gs_fall_log_lean4) = {
+    0x1.1375bc2cf703fp-11, 0x1.84cbf9d6b3de6p-12, 0x1.af90b20ec0542p-13, 0x1.a70031415b38cp-14,
+    0x1.00d033acc15d0p-15, 0x1.751e46de10d1cp-18, 0x1.f984da57d468ap-21, 0x1.48730eade16ccp-23,
+    0x1.471a03ddb31a2p-27, 0x1.e5afb400d6ce8p-33, 0x1.5897fe1e29d34p-38, 0x1.da2faf00d9646p-44,
+    0x1.749455b50401ap-52, 0x1.3e39e94e242eep-63, 0x1.056679f265be5p-74, 0x1.a1f2680dc94f4p-86
+};
+GS_TABLE(gs_fall_log_lean5) = {
+    -0x1.13ac67e083be5p-16, -0x1.34cfe0d95ce54p-15, -0x1.ca1484d600c14p-16, -0x1.fe9dc2f7013a5p-17,
+    -0x1.53a277638fbf9p-18, -0x1.04c51772aad95p-20, -0x1.6bc7ca558f0e4p-23, -0x1.e18912420bd8ep-26,
+    -0x1.e51c813e4de62p-30, -0x1.6d5417aaba3efp-35, -0x1.05986c3ed6cfdp-40, -0x1.6a4b43c87f4a5p-46,
+    -0x1.dd7017121747dp-55, -0x1.9759bf48a6bedp-66, -0x1.4e5e413328453p-77, -0x1.0b2b04377cee4p-88
+};
+GS_TABLE(gs_fall_log_lean6) = {
+    -0x1.18492f6d2863ep-17, 0x1.e9dd4f5c65ee5p-23, 0x1.26c13536b74b3p-19, 0x1.c4297a97aad51p-20,
+    0x1.6403bf3d26f0cp-21, 0x1.29397c0ca1545p-23, 0x1.af0449f4a4508p-26, 0x1.23dd721dd6cb5p-28,
+    0x1.2d2c4d8d67d74p-32, 0x1.cd77f0b1b6d6fp-38, 0x1.4e04a4b564d9ap-43, 0x1.d207f7946f26fp-49,
+    0x1.4e1bbbcefd340p-57, 0x1.1fbfcf9e210b8p-68, 0x1.db5d22d4b41b0p-80, 0x1.7d896c561287cp-91
+};
+GS_TABLE(gs_fall_log_lean7) = {
+    0x1.d3f5ca346a8f0p-20, 0x1.661d041c77929p-21, 0x1.829d3d9df51dbp-26, -0x1.e89f939c4115ep-24,
+    -0x1.265af2c4fee67p-24, -0x1.1e75e7ee53316p-26, -0x1.b85181d034eadp-29, -0x1.33954e0982a3ep-31,
+    -0x1.61aa54a631c8bp-35, -0x1.15d4c172ccc81p-40, -0x1.985d55125436bp-46, -0x1.1fcec2102425ap-51,
+    -0x1.4099a78442b44p-59, -0x1.18e759c25a1cap-70, -0x1.d54da7e358ad0p-82, -0x1.7babf34844761p-93
+};
+GS_TABLE(gs_fall_log_lean8) = {
+    -0x1.7e83cf9581ab6p-24, -0x1.0d77c3b495682p-23, -0x1.576f9d3f3a29bp-25, -0x1.fcdb18e39c56ap-30,
+    0x1.587c94915f719p-28, 0x1.c12a3cc3e1147p-30, 0x1.7686f008ff37ap-32, 0x1.0fd09fda39615p-34,
+    0x1.3d27414b0d575p-38, 0x1.fd7550fa2d140p-44, 0x1.7b490bfdee56ep-49, 0x1.0d97b084f5e26p-54,
+    0x1.1c03743a39ea0p-62, 0x1.f4da340bed2a3p-74, 0x1.a41609b098fc4p-85, 0x1.54d0cfb2b003cp-96
+};
+
+static inline gs_v gs_fall_log_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 4100, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_fall_log_centre, i));
+    const gs_v q8 = gs_pick(gs_fall_log_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_fall_log_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_fall_log_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_fall_log_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_fall_log_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_fall_log_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_fall_log_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_fall_log_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_fall_log_lean0, i));
+    return r;
+}
+
 GS_TABLE(gs_w0_ratio_lean0) = {
     0x1.5bf0a8b145769p+1, 0x1.1bb44bed12b1cp+1, 0x1.f62404b57cabcp+0, 0x1.a90e896463e7bp+0,
     0x1.5cf549b1dfe2fp+0, 0x1.24f932865a6d9p+0, 0x1.f4bc7904f898bp-1, 0x1.96114e7aea309p-1,
@@ -1498,6 +1570,150 @@ static inline gs_v gs_w0_ratio_lean(gs_v x)
     return r;
 }
 
+GS_TABLE(gs_wm1_branch_lean0) = {
+    0x1.0000000000000p+0, 0x1.1d0da1829a10ep+0, 0x1.31b9d019c79a4p+0, 0x1.4795d1ac292eep+0,
+    0x1.5ec7fd3e23531p+0, 0x1.777e8337531f1p+0, 0x1.91f1be34cee9bp+0, 0x1.ae6770f6faf15p+0,
+    0x1.cd376d88b2f79p+0, 0x1.eed2750453d18p+0, 0x1.09e65cb849389p+1, 0x1.1e774c0665707p+1,
+    0x1.35a84a90eccf8p+1, 0x1.504693f481833p+1, 0x1.6f9054845f014p+1, 0x1.959b6ca1eb16dp+1
+};
+GS_TABLE(gs_wm1_branch_lean1) = {
+    0x1.2a734f5b6ffbdp+1, 0x1.41f7104768bdfp+1, 0x1.53e43ee8e8e41p+1, 0x1.6801bf3001cf8p+1,
+    0x1.7ebe4389f6926p+1, 0x1.98a7e9c806c9bp+1, 0x1.b6784717bfb5cp+1, 0x1.d92678f531078p+1,
+    0x1.0101887f0ecd1p+2, 0x1.197262ba815e3p+2, 0x1.37397de3200c6p+2, 0x1.5c5434b2264ebp+2,
+    0x1.8be31bee80c9dp+2, 0x1.cb1e00f1023ccp+2, 0x1.11b7d08b9f8dbp+3, 0x1.53e3560210ad4p+3
+};
+GS_TABLE(gs_wm1_branch_lean2) = {
+    0x1.cfeb8b970921dp+0, 0x1.0f3ceb6ad7153p+1, 0x1.2f50cb7ca5278p+1, 0x1.55844805a3e28p+1,
+    0x1.83841b8f89ef9p+1, 0x1.bb9ae1474fdc3p+1, 0x1.007e476c09febp+2, 0x1.2c1fde070c27dp+2,
+    0x1.6413c413d3574p+2, 0x1.ad80e9f55d811p+2, 0x1.084942aebc275p+3, 0x1.4d6fd10c298cep+3,
+    0x1.b23391bae6971p+3, 0x1.26b7034fdc1bap+4, 0x1.a799953573c09p+4, 0x1.4ae84987c5c7ep+5
+};
+GS_TABLE(gs_wm1_branch_lean3) = {
+    0x1.efc70e8051b74p+0, 0x1.3a3e0aeed5577p+1, 0x1.7446b90b6e722p+1, 0x1.bda025e6580d1p+1,
+    0x1.0ddbaea4ea832p+2, 0x1.4b3b0a04a9e9dp+2, 0x1.9cd9c8e842b38p+2, 0x1.05ec00f4b725fp+3,
+    0x1.53620367acb3dp+3, 0x1.c2e505fde41bap+3, 0x1.34c1fb013cb40p+4, 0x1.b7113f2d5fa91p+4,
+    0x1.477c64c067eb7p+5, 0x1.041d24205ce45p+6, 0x1.c2780838bac4cp+6, 0x1.ba72dd28a967bp+7
+};
+GS_TABLE(gs_wm1_branch_lean4) = {
+    0x1.2d412cda44988p+1, 0x1.9dfdf304db89bp+1, 0x1.03c72167947b7p+2, 0x1.4a9410a383f5cp+2,
+    0x1.ab5497e085861p+2, 0x1.192ed7918ba1bp+3, 0x1.79b8ab80850e4p+3, 0x1.03d549ba8972ep+4,
+    0x1.6fa7fb4e1bb17p+4, 0x1.0cf8777ae2a4ap+5, 0x1.99df02ad506f3p+5, 0x1.486ae7e3798cap+6,
+    0x1.188c2a307a5c9p+7, 0x1.04b00718c8cbdp+8, 0x1.0fe3d2a945ac5p+9, 0x1.4f9f65eaca3a2p+10
+};
+GS_TABLE(gs_wm1_branch_lean5) = {
+    0x1.888da7b050a6ep+1, 0x1.24635d9f43a0dp+2, 0x1.84b4fc38b7172p+2, 0x1.06e9e4377b5afp+3,
+    0x1.6ab91ca122da6p+3, 0x1.ffc2b4c487061p+3, 0x1.726f7e85f78dbp+4, 0x1.1447bee3b54e6p+5,
+    0x1.aadde0136d6fdp+5, 0x1.57e4c1603ac0dp+6, 0x1.2383f64c27cd6p+7, 0x1.0732ec66ae469p+8,
+    0x1.017750f0b6052p+9, 0x1.17d54a245a0cep+10, 0x1.5f743f2ba77a1p+11, 0x1.1083d1449f52dp+13
+};
+GS_TABLE(gs_wm1_branch_lean6) = {
+    0x1.0b607e2d822aep+2, 0x1.af7ca7ff3dbc5p+2, 0x1.2fd0b87e60075p+3, 0x1.b4e1f62f8b9abp+3,
+    0x1.41a0d81a69a7dp+4, 0x1.e67b07ff2d208p+4, 0x1.7b7a48736248fp+5, 0x1.32d809197356fp+6,
+    0x1.02d2aeeddbc4cp+7, 0x1.cb3522a839a5fp+7, 0x1.b10e7828d351cp+8, 0x1.b889113728f68p+9,
+    0x1.ed7276a5aa97ep+10, 0x1.39a21b67cf3f3p+12, 0x1.da4ed5e00ff21p+13, 0x1.ce09d06a587b2p+15
+};
+GS_TABLE(gs_wm1_branch_lean7) = {
+    0x1.7122da540e086p+2, 0x1.4888d7c5d1e84p+3, 0x1.ea2514b6bbb1ep+3, 0x1.76adc684fb30ep+4,
+    0x1.2670dcb6dddf1p+5, 0x1.dd93b5a4fe61fp+5, 0x1.91970e48ead07p+6, 0x1.6033d398f74dep+7,
+    0x1.448e888df983bp+8, 0x1.3d458e4531244p+9, 0x1.4d32eab5b77e1p+10, 0x1.7e7365ae66765p+11,
+    0x1.eb90530ce9190p+12, 0x1.6ea2d7bbe3affp+14, 0x1.4fb2eb8237830p+16, 0x1.9f3608ee32880p+18
+};
+GS_TABLE(gs_wm1_branch_lean8) = {
+    0x1.43b55f0899663p+3, 0x1.feb3a7eabb2d7p+3, 0x1.93879943f2422p+4, 0x1.47e3ff1258720p+5,
+    0x1.12fc22ef91c6fp+6, 0x1.de243f7da0d7dp+6, 0x1.b143a60caa96fp+7, 0x1.9bf17acd4efb7p+8,
+    0x1.9e775e6e1659fp+9, 0x1.be1f7f07298a3p+10, 0x1.0499cde61043dp+12, 0x1.5102da348c0f6p+13,
+    0x1.eff99b3be400ep+14, 0x1.b0a885b6ddfb9p+16, 0x1.dd08af89a0e15p+18, 0x1.72b0be993b29dp+21
+};
+
+static inline gs_v gs_wm1_branch_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
+    const gs_index i = gs_piece(u, 32736, 47);
+    const gs_v d = gs_sub(x, gs_pick(gs_wm1_branch_centre, i));
+    const gs_v q8 = gs_pick(gs_wm1_branch_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_wm1_branch_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_wm1_branch_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_wm1_branch_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_wm1_branch_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_wm1_branch_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_wm1_branch_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_wm1_branch_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_wm1_branch_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_wm1_middle_lean0) = {
+    0x1.a801e223cbf6cp+2, 0x1.98d4f2d4262d4p+2, 0x1.8c1e5c1337243p+2, 0x1.812a61b517a6ap+2,
+    0x1.731e91ed1b8d9p+2, 0x1.6387ac4dc4ee3p+2, 0x1.566fe84d6f2edp+2, 0x1.4b213399e8d40p+2,
+    0x1.3c963092a6189p+2, 0x1.2c617c988c6f2p+2, 0x1.1eb52e19c10d2p+2, 0x1.12d848d475d47p+2,
+    0x1.037fd26144e96p+2, 0x1.e482ef6330b8dp+1, 0x1.c71e1dd4927cap+1, 0x1.ad561d87be614p+1
+};
+GS_TABLE(gs_wm1_middle_lean1) = {
+    -0x1.0c025116d2943p+7, -0x1.b97935c475adfp+6, -0x1.77caff1a0e045p+6, -0x1.477b574c0fb27p+6,
+    -0x1.12f9b3f6e4e9ap+6, -0x1.c61bf27505643p+5, -0x1.837fad55781c7p+5, -0x1.527d33b7d16aep+5,
+    -0x1.1d3694f5c9f0bp+5, -0x1.d92e5146d5083p+4, -0x1.959f0a9335555p+4, -0x1.63f419c0f5b45p+4,
+    -0x1.2e0cb9ddab681p+4, -0x1.fa0e1c1c419c8p+3, -0x1.b65d8ce68a492p+3, -0x1.850ef40892674p+3
+};
+GS_TABLE(gs_wm1_middle_lean2) = {
+    0x1.cd6713976d01ap+12, 0x1.360306c3f04e5p+12, 0x1.bd56dde8f3cefp+11, 0x1.4f714e02c746fp+11,
+    0x1.d39de5acbbad8p+10, 0x1.3a5836ac9e6d3p+10, 0x1.c3b96c51e56b7p+9, 0x1.54548cc9d90bfp+9,
+    0x1.da7e39df02e9ep+8, 0x1.3ee7a7ed8079dp+8, 0x1.c9ffaa2bdf145p+7, 0x1.58b36a7c2a650p+7,
+    0x1.df6e0e1bdaccap+6, 0x1.4098f7c821df7p+6, 0x1.c8eb0bb1881ecp+5, 0x1.541dd8ded4f57p+5
+};
+GS_TABLE(gs_wm1_middle_lean3) = {
+    -0x1.0ef8ba4c3b6f4p+19, -0x1.29ccc2089c4d3p+18, -0x1.69dc6d59782bap+17, -0x1.d850f7cc6ee2ap+16,
+    -0x1.1241e0c6540aep+16, -0x1.2d9b1f0d224c5p+15, -0x1.6eb2ea9785948p+14, -0x1.dee326c671edap+13,
+    -0x1.16480a321ed49p+13, -0x1.3252af593bb7fp+12, -0x1.74ca9e46113ddp+11, -0x1.e757c6b54bae5p+10,
+    -0x1.1bb39a7cbf8fep+10, -0x1.394af7f2832dep+9, -0x1.7f1b4053d69dap+8, -0x1.f88875371bbcdp+7
+};
+GS_TABLE(gs_wm1_middle_lean4) = {
+    0x1.6761536fb1597p+25, 0x1.430fc377b32b5p+24, 0x1.4c15254793faap+23, 0x1.7792740592605p+22,
+    0x1.6b5c23acfe492p+21, 0x1.46d29c363d039p+20, 0x1.501d6a5bcf329p+19, 0x1.7c4d027eea5a2p+18,
+    0x1.7026befe1145ep+17, 0x1.4b5ac2f9bcbeap+16, 0x1.54f7842153ca3p+15, 0x1.81f78032e1e62p+14,
+    0x1.75cf9a1220984p+13, 0x1.5078a3ebde227p+12, 0x1.59e419777c76dp+11, 0x1.86673341b4413p+10
+};
+GS_TABLE(gs_wm1_middle_lean5) = {
+    -0x1.fd2e79175f195p+31, -0x1.7676aae4884d4p+30, -0x1.45a8cd6db6aa6p+29, -0x1.3f288f6847700p+28,
+    -0x1.013c209b3b8cep+27, -0x1.7a8c7630ec16ap+25, -0x1.495cdf7729054p+24, -0x1.42ebc3d72e32fp+23,
+    -0x1.04695bd407553p+22, -0x1.7f78ef4114844p+20, -0x1.4dd6eb4d706c6p+19, -0x1.477bc3606866fp+18,
+    -0x1.0849e2446a3a7p+17, -0x1.85961f4e93a94p+15, -0x1.53a1858da974fp+14, -0x1.4df3faad23047p+13
+};
+GS_TABLE(gs_wm1_middle_lean6) = {
+    0x1.782227efa3446p+38, 0x1.c4969e7af53e9p+36, 0x1.4d026aa3c1429p+35, 0x1.1ad12ccf62641p+34,
+    0x1.7bd96b9202f82p+32, 0x1.c947f3b8b3798p+30, 0x1.509b36fcdaa08p+29, 0x1.1dfb6473a7be8p+28,
+    0x1.804c8128d29d7p+26, 0x1.ceeadb85668d6p+24, 0x1.54efc9602a4d2p+23, 0x1.21cc8c5391486p+22,
+    0x1.85ac18c9a2fa0p+20, 0x1.d5b4acca27253p+18, 0x1.5a1231f84e73dp+17, 0x1.2616f877b4433p+16
+};
+GS_TABLE(gs_wm1_middle_lean7) = {
+    -0x1.2440778a308b1p+45, -0x1.1d9ba6ba25adep+43, -0x1.6220de35b19acp+41, -0x1.03f4abfe3b807p+40,
+    -0x1.27051e9a3257dp+38, -0x1.20725073fd6f9p+36, -0x1.65cb270b78c53p+34, -0x1.06be0fa82a80ep+33,
+    -0x1.2a5353ae791abp+31, -0x1.23d8cfc1700adp+29, -0x1.6a3218fe34ee2p+27, -0x1.0a18c8fc3ef90p+26,
+    -0x1.2e50d28369e20p+24, -0x1.27f82f6621870p+22, -0x1.6f9492130467dp+20, -0x1.0e4f833a9f9eap+19
+};
+GS_TABLE(gs_wm1_middle_lean8) = {
+    0x1.c615708a11e4ep+51, 0x1.6af8960289c51p+49, 0x1.7cbd316de2cf9p+47, 0x1.e4615be82e894p+45,
+    0x1.ca3d8ad7fa642p+43, 0x1.6e747fbe51ddap+41, 0x1.808af93a0806ap+39, 0x1.e963f042e3301p+37,
+    0x1.cf313494e3b4dp+35, 0x1.729e7b1f92594p+33, 0x1.8519e28f28782p+31, 0x1.ef684b0725c9bp+29,
+    0x1.d527a1d80eebap+27, 0x1.77a51d0336d3fp+25, 0x1.8a99ab35a1a18p+23, 0x1.f696b16337255p+21
+};
+
+static inline gs_v gs_wm1_middle_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x0.0p+0));
+    const gs_index i = gs_piece(u, 4064, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_wm1_middle_centre, i));
+    const gs_v q8 = gs_pick(gs_wm1_middle_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_wm1_middle_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_wm1_middle_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_wm1_middle_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_wm1_middle_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_wm1_middle_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_wm1_middle_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_wm1_middle_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_wm1_middle_lean0, i));
+    return r;
+}
+
 GS_TABLE(gs_sine_lean0) = {
     0x0.0p+0, 0x1.7fdc01032fba9p-5, 0x1.3facb12d1755bp-4, 0x1.bf1b78568391dp-4,
     0x1.3eb312c5d66cbp-3, 0x1.bc6f84edc6199p-3, 0x1.1c37d64c6b876p-2, 0x1.591bc9fa2f597p-2,
@@ -1553,6 +1769,78 @@ static inline gs_v gs_sine_lean(gs_v x)
     const gs_v q2 = gs_fma(q3, d, gs_pick(gs_sine_lean2, i));
     const gs_v q1 = gs_fma(q2, d, gs_pick(gs_sine_lean1, i));
     const gs_v r = gs_fma(q1, d, gs_pick(gs_sine_lean0, i));
+    return r;
+}
+
+GS_TABLE(gs_arctangent_tail_lean0) = {
+    0x1.56f6f33a3e6a7p+0, 0x1.61f06c6a92b89p+0, 0x1.698213a9d5053p+0, 0x1.6f08f07435fecp+0,
+    0x1.74fe3c2f08578p+0, 0x1.7a60d4728e3dap+0, 0x1.7e16216f80625p+0, 0x1.80cb60cd9f7edp+0,
+    0x1.83b7701b6f1c7p+0, 0x1.865cadda239ffp+0, 0x1.882fe624c2efdp+0, 0x1.8985a57b1fec5p+0,
+    0x1.8af702d9d4440p+0, 0x1.8c4600ce3e3bbp+0, 0x1.8d2d7832ff8d7p+0, 0x1.8dd6f940dfb7dp+0
+};
+GS_TABLE(gs_arctangent_tail_lean1) = {
+    0x1.adbe87f60f1bcp-5, 0x1.1ecf43c76393ap-5, 0x1.98f603fe251b4p-6, 0x1.31e2b9cd26e2ap-6,
+    0x1.a678e210c805cp-7, 0x1.191e9c3472196p-7, 0x1.90adbb53eab16p-8, 0x1.2bd9a3e835325p-8,
+    0x1.9eb3e9e77d975p-9, 0x1.147c9ba7d5888p-9, 0x1.8ac20dd42e7abp-10, 0x1.27da4bce04666p-10,
+    0x1.99e674c979fbbp-11, 0x1.11c54c8d56066p-11, 0x1.876588b59824dp-12, 0x1.25a1a1efdce2dp-12
+};
+GS_TABLE(gs_arctangent_tail_lean2) = {
+    -0x1.7f3f51cdcda9ep-7, -0x1.a5bdf0453adb6p-8, -0x1.fe675ba5d9019p-9, -0x1.4b3a36d2cd0d7p-9,
+    -0x1.7d47c2543eda3p-10, -0x1.9ed22958431d2p-11, -0x1.f3bcfff1b7f26p-12, -0x1.43c5e391af569p-12,
+    -0x1.74a2452416eabp-13, -0x1.95ed513484104p-14, -0x1.e9d596cf3e54dp-15, -0x1.3dde75e2bf649p-15,
+    -0x1.6e9de92fcdb04p-16, -0x1.90473e8a7d4efp-17, -0x1.e3dd8996632f0p-18, -0x1.3a6de12dba858p-18
+};
+GS_TABLE(gs_arctangent_tail_lean3) = {
+    0x1.4f79594aa7c47p-9, 0x1.3253ca0be751dp-10, 0x1.3bc96b64ca8d4p-11, 0x1.6464e3e1d60dep-12,
+    0x1.569b5bba7282ap-13, 0x1.312c3f67fdb9bp-14, 0x1.3701554c3b646p-15, 0x1.5d11a07f67f51p-16,
+    0x1.4e7a87a335a79p-17, 0x1.29c5f00f11511p-18, 0x1.2fc082f0b144ap-19, 0x1.55651f874b0e1p-20,
+    0x1.47d1999316203p-21, 0x1.24923bc592311p-22, 0x1.2b0d8b0842036p-23, 0x1.50ab328d8f162p-24
+};
+GS_TABLE(gs_arctangent_tail_lean4) = {
+    -0x1.1fed4a00fe07dp-11, -0x1.b769d94040f34p-13, -0x1.8355614edcc2ep-14, -0x1.7cfe8d7edc657p-15,
+    -0x1.327f738344aa8p-16, -0x1.bfb56d77afcedp-18, -0x1.824d07888f8fdp-19, -0x1.77c3025875a5fp-20,
+    -0x1.2be94b4827981p-21, -0x1.b48ffa36076e6p-23, -0x1.7887d6fabcd1dp-24, -0x1.6e862339f1261p-25,
+    -0x1.250cbdfcae8f6p-26, -0x1.ab9e0e19cf0ecp-28, -0x1.719cf4bcba897p-29, -0x1.687294798adc9p-30
+};
+GS_TABLE(gs_arctangent_tail_lean5) = {
+    0x1.e3b5363fae4ffp-14, 0x1.36f7b86c35e83p-15, 0x1.d6c0817096f02p-17, 0x1.949354cb7386cp-18,
+    0x1.10e4ad3799678p-19, 0x1.47675bfc2546ap-21, 0x1.decc6f0952386p-23, 0x1.93dafbc5f7482p-24,
+    0x1.0c8ea7a95bed6p-25, 0x1.3fc14475fae78p-27, 0x1.d27b9e840a7c4p-29, 0x1.89572939c857ap-30,
+    0x1.05d452b478bb7p-31, 0x1.386855817b7f5p-33, 0x1.c8bcac718dee0p-35, 0x1.81db4fad6f624p-36
+};
+GS_TABLE(gs_arctangent_tail_lean6) = {
+    -0x1.8cc9867dd63fep-16, -0x1.b1f17797d0465p-18, -0x1.1b5b76cb161d8p-19, -0x1.aaac8ec901e28p-21,
+    -0x1.e3d5b999ab827p-23, -0x1.dd79dac87f677p-25, -0x1.281d9f8180f1ap-26, -0x1.b162e5fcd447cp-28,
+    -0x1.e093a0e25e117p-30, -0x1.d41ff12da804bp-32, -0x1.20d572d141815p-33, -0x1.a5f9493e812ccp-35,
+    -0x1.d3dfc1a6f3ff3p-37, -0x1.c8735adcfe180p-39, -0x1.1a2e428c4a9cbp-40, -0x1.9d084ea865f60p-42
+};
+GS_TABLE(gs_arctangent_tail_lean7) = {
+    0x1.4311096c5cf1dp-18, 0x1.2ed6100b6e672p-20, 0x1.55c953def9a05p-22, 0x1.c2fccf875a87dp-24,
+    0x1.b6b393f519863p-26, 0x1.619cc7e8d22f5p-28, 0x1.726a00555e6a3p-30, 0x1.d50d5339babdbp-32,
+    0x1.b9e4c844aa29ap-34, 0x1.5cf9a5ac2f9a2p-36, 0x1.6a5dc26a35b86p-38, 0x1.c9228786ed0b8p-40,
+    0x1.adf93024bfc06p-42, 0x1.53c3d4043d4e3p-44, 0x1.615e551f15d4bp-46, 0x1.be9377b8ccb3cp-48
+};
+GS_TABLE(gs_arctangent_tail_lean8) = {
+    -0x1.f1a81e8991c03p-21, -0x1.9893440747704p-23, -0x1.92ba068240360p-25, -0x1.d48b0b6472e71p-27,
+    -0x1.810bccb99c5cap-29, -0x1.003a63f5c15b3p-31, -0x1.c82c34bdcee59p-34, -0x1.f5bc867d5572bp-36,
+    -0x1.8a7f34db2427ep-38, -0x1.fe2862d175406p-41, -0x1.c045bf39d1657p-43, -0x1.ea09250962489p-45,
+    -0x1.7ff620dd7f6b6p-47, -0x1.f03eb0a17f392p-50, -0x1.b4865f6a22796p-52, -0x1.ddf019a24669ep-54
+};
+
+static inline gs_v gs_arctangent_tail_lean(gs_v x)
+{
+    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p-2));
+    const gs_index i = gs_piece(u, 4100, 50);
+    const gs_v d = gs_sub(x, gs_pick(gs_arctangent_tail_centre, i));
+    const gs_v q8 = gs_pick(gs_arctangent_tail_lean8, i);
+    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_arctangent_tail_lean7, i));
+    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_arctangent_tail_lean6, i));
+    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_arctangent_tail_lean5, i));
+    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_arctangent_tail_lean4, i));
+    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_arctangent_tail_lean3, i));
+    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_arctangent_tail_lean2, i));
+    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_arctangent_tail_lean1, i));
+    const gs_v r = gs_fma(q1, d, gs_pick(gs_arctangent_tail_lean0, i));
     return r;
 }
 
@@ -2012,10 +2300,102 @@ static inline gs_v gs_best_sine_range0_lean(gs_v x)
     return r;
 }
 
+static inline gs_v gs_best_sine_range1_lean(gs_v x)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    const gs_v half_part = gs_log_lean(half_m);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_off = gs_mul(half_k, gs_v_of(0x1.ef35793c76730p-45));
+    const gs_v half = gs_add(half_s, half_off);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_mul(c, z);
+    const gs_v y = gs_add(less_s, off);
+    const gs_v w = gs_omega_lean(y);
+    const gs_v s_s = gs_add(w, gs_v_of(0x1.0000000000000p+0));
+    const gs_v g_q = gs_div(s_s, a);
+    const gs_v minus = gs_mul(g_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d = gs_add(a, minus);
+    const gs_v sine_q = gs_div(w, d);
+    const gs_v r = sine_q;
+    return r;
+}
+
 static inline gs_v gs_best_angle_range0_lean(gs_v x)
 {
     const gs_v f = gs_best_angle_lean(x);
     const gs_v r = f;
+    return r;
+}
+
+static inline gs_v gs_best_angle_range1_lean(gs_v x)
+{
+    const gs_v a = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v half_k0 = gs_exponent(a);
+    const gs_v half_k = gs_sub(half_k0, gs_v_of(0x0.0p+0));
+    const gs_v half_m = gs_mantissa(a);
+    const gs_v half_part = gs_log_lean(half_m);
+    const gs_v half_whole = gs_mul(half_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v half_s = gs_add(half_whole, half_part);
+    const gs_v half_off = gs_mul(half_k, gs_v_of(0x1.ef35793c76730p-45));
+    const gs_v half = gs_add(half_s, half_off);
+    const gs_v whole = gs_mul(half, gs_v_of(0x1.0000000000000p+1));
+    const gs_v less_s = gs_add(whole, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v inverse = gs_div(gs_v_of(0x1.0000000000000p+0), a);
+    const gs_v z = gs_mul(inverse, inverse);
+    const gs_v c_10 = gs_v_of(-0x1.745d1745d1746p-4);
+    const gs_v c_9 = gs_fma(c_10, z, gs_v_of(-0x1.999999999999ap-4));
+    const gs_v c_8 = gs_fma(c_9, z, gs_v_of(-0x1.c71c71c71c71cp-4));
+    const gs_v c_7 = gs_fma(c_8, z, gs_v_of(-0x1.0000000000000p-3));
+    const gs_v c_6 = gs_fma(c_7, z, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v c_5 = gs_fma(c_6, z, gs_v_of(-0x1.5555555555555p-3));
+    const gs_v c_4 = gs_fma(c_5, z, gs_v_of(-0x1.999999999999ap-3));
+    const gs_v c_3 = gs_fma(c_4, z, gs_v_of(-0x1.0000000000000p-2));
+    const gs_v c_2 = gs_fma(c_3, z, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v c_1 = gs_fma(c_2, z, gs_v_of(-0x1.0000000000000p-1));
+    const gs_v c = gs_fma(c_1, z, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v off = gs_mul(c, z);
+    const gs_v y = gs_add(less_s, off);
+    const gs_v w = gs_omega_lean(y);
+    const gs_v s_s = gs_add(w, gs_v_of(0x1.0000000000000p+0));
+    const gs_v g_q = gs_div(s_s, a);
+    const gs_v minus = gs_mul(g_q, gs_v_of(-0x1.0000000000000p+0));
+    const gs_v d = gs_add(a, minus);
+    const gs_v sine_q = gs_div(w, d);
+    const gs_v square = gs_mul(sine_q, sine_q);
+    const gs_v more_11 = gs_v_of(0x1.a6863d70a3d71p-8);
+    const gs_v more_10 = gs_fma(more_11, square, gs_v_of(0x1.df3bd37a6f4dfp-8));
+    const gs_v more_9 = gs_fma(more_10, square, gs_v_of(0x1.12ef3cf3cf3cfp-7));
+    const gs_v more_8 = gs_fma(more_9, square, gs_v_of(0x1.3fde50d79435ep-7));
+    const gs_v more_7 = gs_fma(more_8, square, gs_v_of(0x1.7a87878787878p-7));
+    const gs_v more_6 = gs_fma(more_7, square, gs_v_of(0x1.c99999999999ap-7));
+    const gs_v more_5 = gs_fma(more_6, square, gs_v_of(0x1.1c4ec4ec4ec4fp-6));
+    const gs_v more_4 = gs_fma(more_5, square, gs_v_of(0x1.6e8ba2e8ba2e9p-6));
+    const gs_v more_3 = gs_fma(more_4, square, gs_v_of(0x1.f1c71c71c71c7p-6));
+    const gs_v more_2 = gs_fma(more_3, square, gs_v_of(0x1.6db6db6db6db7p-5));
+    const gs_v more_1 = gs_fma(more_2, square, gs_v_of(0x1.3333333333333p-4));
+    const gs_v more = gs_fma(more_1, square, gs_v_of(0x1.5555555555555p-3));
+    const gs_v share = gs_mul(square, more);
+    const gs_v angle_off = gs_mul(sine_q, share);
+    const gs_v angle = gs_add(sine_q, angle_off);
+    const gs_v r = angle;
     return r;
 }
 
@@ -2029,6 +2409,12 @@ static inline gs_v gs_w0_offset_range0_lean(gs_v x)
     return r;
 }
 
+static inline gs_v gs_w0_offset_range2_lean(gs_v x)
+{
+    const gs_v r = gs_min(x, gs_v_of(0x1.0000000000000p+0));
+    return r;
+}
+
 static inline gs_v gs_wm1_offset_range0_lean(gs_v x)
 {
     const gs_v twice = gs_mul(x, gs_v_of(0x1.0000000000000p+1));
@@ -2036,6 +2422,26 @@ static inline gs_v gs_wm1_offset_range0_lean(gs_v x)
     const gs_v f = gs_fall_factor_lean(p);
     const gs_v w_h = gs_mul(p, f);
     const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w_h);
+    return r;
+}
+
+static inline gs_v gs_wm1_offset_range2_lean(gs_v x)
+{
+    const gs_v finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
+    const gs_v y_k0 = gs_exponent(finite);
+    const gs_v y_k = gs_sub(y_k0, gs_v_of(0x0.0p+0));
+    const gs_v y_m = gs_mantissa(finite);
+    const gs_v y_part = gs_log_lean(y_m);
+    const gs_v y_whole = gs_mul(y_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v y_s = gs_add(y_whole, y_part);
+    const gs_v y_off = gs_mul(y_k, gs_v_of(0x1.ef35793c76730p-45));
+    const gs_v y = gs_add(y_s, y_off);
+    const gs_v bounded = gs_min(y, gs_v_of(0x1.e000000000000p+5));
+    const gs_v beyond = gs_sub(y, bounded);
+    const gs_v f = gs_fall_log_lean(bounded);
+    const gs_v log = gs_add(f, beyond);
+    const gs_v w_s = gs_add(finite, log);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w_s);
     return r;
 }
 
@@ -2062,7 +2468,40 @@ static inline gs_v gs_w0_range0_lean(gs_v x)
     return r;
 }
 
+static inline gs_v gs_w0_range1_lean(gs_v x)
+{
+    const gs_v y_k0 = gs_exponent(x);
+    const gs_v y_k = gs_sub(y_k0, gs_v_of(0x0.0p+0));
+    const gs_v y_m = gs_mantissa(x);
+    const gs_v y_part = gs_log_lean(y_m);
+    const gs_v y_whole = gs_mul(y_k, gs_v_of(0x1.62e42fefa3800p-1));
+    const gs_v y_s = gs_add(y_whole, y_part);
+    const gs_v y_off = gs_mul(y_k, gs_v_of(0x1.ef35793c76730p-45));
+    const gs_v y = gs_add(y_s, y_off);
+    const gs_v w = gs_omega_lean(y);
+    const gs_v r = w;
+    return r;
+}
+
 static inline gs_v gs_wm1_range0_lean(gs_v x)
+{
+    const gs_v sum = gs_add(x, gs_v_of(0x1.78b56362cef38p-2));
+    const gs_v delta = gs_add(sum, gs_v_of(-0x1.ca8a4270fadf5p-57));
+    const gs_v q = gs_sqrt(delta);
+    const gs_v w = gs_wm1_branch_lean(q);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
+    return r;
+}
+
+static inline gs_v gs_wm1_range1_lean(gs_v x)
+{
+    const gs_v m = gs_abs(x);
+    const gs_v w = gs_wm1_middle_lean(m);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
+    return r;
+}
+
+static inline gs_v gs_wm1_range2_lean(gs_v x)
 {
     const gs_v m0 = gs_abs(x);
     const gs_v m = gs_mul(m0, gs_v_of(0x1.0000000000000p+0));
@@ -2090,6 +2529,24 @@ static inline gs_v gs_exp_minus_range0_lean(gs_v x)
     const gs_v k = gs_sub(u, gs_v_of(0x1.8000000000000p+52));
     const gs_index j = gs_low_index(u);
     const gs_v power = gs_power(u);
+    const gs_v t = gs_product_rest(k, gs_v_of(0x1.62e42fefa39efp-5), x);
+    const gs_v q5 = gs_v_of(0x1.1111111111111p-7);
+    const gs_v q4 = gs_fma(q5, t, gs_v_of(0x1.5555555555555p-5));
+    const gs_v q3 = gs_fma(q4, t, gs_v_of(0x1.5555555555555p-3));
+    const gs_v q2 = gs_fma(q3, t, gs_v_of(0x1.0000000000000p-1));
+    const gs_v q1 = gs_fma(q2, t, gs_v_of(0x1.0000000000000p+0));
+    const gs_v q0 = gs_fma(q1, t, gs_v_of(0x1.0000000000000p+0));
+    const gs_v c = gs_mul(gs_pick(gs_exp_minus_sixteenth, j), power);
+    const gs_v r = gs_mul(q0, c);
+    return r;
+}
+
+static inline gs_v gs_exp_minus_range1_lean(gs_v x)
+{
+    const gs_v u = gs_fma(x, gs_v_of(0x1.71547652b82fep+4), gs_v_of(0x1.7ffffffffc7c0p+52));
+    const gs_v k = gs_sub(u, gs_v_of(0x1.7ffffffffc7c0p+52));
+    const gs_index j = gs_low_index(u);
+    const gs_v power = gs_power(u);
     const gs_v t_hi = gs_product_rest(k, gs_v_of(0x1.62e42fefa0000p-5), x);
     const gs_v t = gs_fma(k, gs_v_of(0x1.cf79abc9e3b3ap-44), t_hi);
     const gs_v t_off = gs_sub(t_hi, t);
@@ -2110,7 +2567,25 @@ static inline gs_v gs_exp_minus_range0_lean(gs_v x)
     const gs_v p_lo = gs_mul(c, h);
     const gs_v s = gs_add(c, p);
     const gs_v hi = gs_add(s, p_lo);
-    const gs_v r = gs_mul(hi, power);
+    const gs_v size = gs_mul(hi, power);
+    const gs_mask coarse = gs_less(size, gs_v_of(0x1.0000000000000p-122));
+    const gs_v grid = gs_div(gs_v_of(-0x1.0000000000000p-121), power);
+    const gs_v round = gs_select(coarse, grid, gs_v_of(0x0.0p+0));
+    const gs_v g = gs_add(round, hi);
+    const gs_v value = gs_sub(g, round);
+    const gs_v scaled = gs_mul(value, power);
+    const gs_v exact = gs_mul(scaled, gs_v_of(0x1.0000000000000p-900));
+    const gs_v small = gs_select(coarse, hi, gs_v_of(0x0.0p+0));
+    const gs_v smaller = gs_mul(small, gs_v_of(0x1.0000000000000p-600));
+    const gs_v nothing = gs_mul(smaller, smaller);
+    const gs_v r = gs_add(exact, nothing);
+    return r;
+}
+
+static inline gs_v gs_exp_minus_range2_lean(gs_v x)
+{
+    const gs_v y = gs_div(gs_v_of(0x1.0000000000000p-1000), x);
+    const gs_v r = gs_mul(y, y);
     return r;
 }
 
@@ -2141,6 +2616,29 @@ static inline gs_v gs_arctan_range0_lean(gs_v x)
     const gs_v y = gs_select(felt, x, gs_v_of(0x1.0000000000000p-250));
     const gs_v f = gs_arctangent_lean(y);
     const gs_v r = gs_select(felt, f, x);
+    return r;
+}
+
+static inline gs_v gs_arctan_range1_lean(gs_v x)
+{
+    const gs_v r = gs_arctangent_tail_lean(x);
+    return r;
+}
+
+static inline gs_v gs_arctan_range2_lean(gs_v x)
+{
+    const gs_v finite = gs_min(x, gs_v_of(0x1.0000000000000p+100));
+    const gs_v y = gs_div(gs_v_of(-0x1.0000000000000p+0), finite);
+    const gs_v y_rest = gs_fma(y, finite, gs_v_of(0x1.0000000000000p+0));
+    const gs_v square = gs_mul(y, y);
+    const gs_v a9 = gs_v_of(0x1.c71c71c71c71cp-4);
+    const gs_v a7 = gs_fma(a9, square, gs_v_of(-0x1.2492492492492p-3));
+    const gs_v a5 = gs_fma(a7, square, gs_v_of(0x1.999999999999ap-3));
+    const gs_v a3 = gs_fma(a5, square, gs_v_of(-0x1.5555555555555p-2));
+    const gs_v a = gs_fma(a3, square, y_rest);
+    const gs_v s = gs_add(gs_v_of(0x1.921fb54442d18p+0), y);
+    const gs_v s_lo = gs_fma(y, a, gs_v_of(0x1.1a62633145c07p-54));
+    const gs_v r = gs_add(s, s_lo);
     return r;
 }
 

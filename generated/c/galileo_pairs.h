@@ -2301,8 +2301,41 @@ static inline gs_v gs_w0_pair(gs_v x, gs_v x_lo, gs_v *lo)
 }
 #endif
 
-/* x in [-0.3056, -1e-49) */
+/* x in [-0.3678794411714423, -0.124) */
 static inline gs_v gs_wm1_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v sum = gs_add(x, gs_v_of(0x1.78b56362cef38p-2));
+    const gs_v sum_rest = gs_sum_rest(x, gs_v_of(0x1.78b56362cef38p-2), sum);
+    const gs_v e_lo = gs_add(x_lo, gs_v_of(-0x1.ca8a4270fadf5p-57));
+    const gs_v sum_off = gs_add(sum_rest, e_lo);
+    const gs_v delta = gs_add(sum, sum_off);
+    const gs_v delta_lo = gs_rest(sum, sum_off, delta);
+    const gs_v q = gs_sqrt(delta);
+    const gs_v q_e0 = gs_product_rest(q, q, delta);
+    const gs_v q_e1 = gs_sub(q_e0, delta_lo);
+    const gs_v q_twice = gs_fma(q, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
+    const gs_v q_lo = gs_div(q_e1, q_twice);
+    gs_v w_lo;
+    const gs_v w = gs_wm1_branch_near_pair(q, q_lo, &w_lo);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
+    *lo = gs_sub(gs_v_of(0x0.0p+0), w_lo);
+    return r;
+}
+
+/* x in [-0.124, -0.0078125) */
+static inline gs_v gs_wm1_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
+{
+    const gs_v m = gs_abs(x);
+    const gs_v m_lo = gs_mul(x_lo, gs_v_of(-0x1.0000000000000p+0));
+    gs_v w_lo;
+    const gs_v w = gs_wm1_middle_near_pair(m, m_lo, &w_lo);
+    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
+    *lo = gs_sub(gs_v_of(0x0.0p+0), w_lo);
+    return r;
+}
+
+/* x in [-0.0078125, -1e-49) */
+static inline gs_v gs_wm1_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     const gs_v m0 = gs_abs(x);
     const gs_v m = gs_mul(m0, gs_v_of(0x1.0000000000000p+0));
@@ -2351,29 +2384,8 @@ static inline gs_v gs_wm1_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* x in [-0.3678794411714423, -0.3056) */
-static inline gs_v gs_wm1_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_v sum = gs_add(x, gs_v_of(0x1.78b56362cef38p-2));
-    const gs_v sum_rest = gs_sum_rest(x, gs_v_of(0x1.78b56362cef38p-2), sum);
-    const gs_v e_lo = gs_add(x_lo, gs_v_of(-0x1.ca8a4270fadf5p-57));
-    const gs_v sum_off = gs_add(sum_rest, e_lo);
-    const gs_v delta = gs_add(sum, sum_off);
-    const gs_v delta_lo = gs_rest(sum, sum_off, delta);
-    const gs_v q = gs_sqrt(delta);
-    const gs_v q_e0 = gs_product_rest(q, q, delta);
-    const gs_v q_e1 = gs_sub(q_e0, delta_lo);
-    const gs_v q_twice = gs_fma(q, gs_v_of(-0x1.0000000000000p+1), gs_v_of(-0x1.0000000000000p-1000));
-    const gs_v q_lo = gs_div(q_e1, q_twice);
-    gs_v w_lo;
-    const gs_v w = gs_wm1_branch_near_pair(q, q_lo, &w_lo);
-    const gs_v r = gs_sub(gs_v_of(0x0.0p+0), w);
-    *lo = gs_sub(gs_v_of(0x0.0p+0), w_lo);
-    return r;
-}
-
 /* x in [-1e-49, 0.0) */
-static inline gs_v gs_wm1_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+static inline gs_v gs_wm1_range3_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     const gs_v m0 = gs_abs(x);
     const gs_v m = gs_mul(m0, gs_v_of(0x1.0000000000000p+64));
@@ -2423,7 +2435,7 @@ static inline gs_v gs_wm1_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 }
 
 /* x in [0.0, 5e-324) */
-static inline gs_v gs_wm1_range3_pair(gs_v x, gs_v x_lo, gs_v *lo)
+static inline gs_v gs_wm1_range4_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     (void)x_lo;
     const gs_v r = gs_sub(x, gs_v_of(INFINITY));
@@ -2443,10 +2455,12 @@ static inline gs_v gs_wm1_pair(gs_v x, gs_v x_lo, gs_v *lo)
         return gs_refuse_beyond(x, gs_v_of(INFINITY), gs_v_of(-INFINITY), x, lo);
     }
     if (gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x0.0000000000001p-1022)))
-        r = gs_wm1_range3_pair(m, m_lo, lo);
+        r = gs_wm1_range4_pair(m, m_lo, lo);
     else if (gs_within(m, gs_v_of(-0x1.2b50c6ec4f313p-163), gs_v_of(0x0.0p+0)))
+        r = gs_wm1_range3_pair(m, m_lo, lo);
+    else if (gs_within(m, gs_v_of(-0x1.0000000000000p-7), gs_v_of(-0x1.2b50c6ec4f313p-163)))
         r = gs_wm1_range2_pair(m, m_lo, lo);
-    else if (gs_less(m, gs_v_of(-0x1.38ef34d6a161ep-2)))
+    else if (gs_within(m, gs_v_of(-0x1.fbe76c8b43958p-4), gs_v_of(-0x1.0000000000000p-7)))
         r = gs_wm1_range1_pair(m, m_lo, lo);
     else
         r = gs_wm1_range0_pair(m, m_lo, lo);

@@ -12,204 +12,880 @@ static inline gs_mask gs_rounds_one_way(gs_v r)
     return gs_both(gs_at_least(gs_abs(r), gs_v_of(0x1p-126)), gs_off_ties(r));
 }
 
-/* Two vectors a turn, so that each column of a table serves both. */
+/* Two vectors a turn while all their lanes are typical, else a block; fewer than two are filled up with the last one. */
 #define GS_SINGLES(name)                                                                                               \
-    static GS_RARE gs_v gs_##name##_settled(gs_v wide)                                                                 \
-    {                                                                                                                  \
-        gs_v lo;                                                                                                       \
-        const gs_v hi = gs_##name##_value(wide, &lo);                                                                  \
-        return gs_to_odd(hi, lo);                                                                                      \
-    }                                                                                                                  \
     void GS_JOIN(gs_##name##_ns, GS_SUFFIX)(size_t n, const float *x, float *value)                                    \
     {                                                                                                                  \
-        float pad[2 * GS_LANES];                                                                                       \
-        gs_v r, s;                                                                                                     \
-        for (;;) {                                                                                                     \
-            const size_t here = n < 2 * GS_LANES ? n : 2 * GS_LANES;                                                   \
-            if (here == 0)                                                                                             \
-                return;                                                                                                \
-            if (here < 2 * GS_LANES) {                                                                                 \
-                for (size_t j = 0; j < 2 * GS_LANES; j++)                                                              \
-                    pad[j] = x[j < here ? j : here - 1];                                                               \
-                x = pad;                                                                                               \
-            }                                                                                                          \
+        while (n >= 2 * GS_LANES) {                                                                                    \
             const gs_v a = gs_v_widen(x), b = gs_v_widen(x + GS_LANES);                                                \
-            const gs_mask good = gs_##name##_quick(a, &r), fine = gs_##name##_quick(b, &s);                            \
-            if (!gs_all(gs_both(good, fine))) {                                                                        \
-                r = gs_all(good) ? r : gs_##name##_settled(a);                                                         \
-                s = gs_all(fine) ? s : gs_##name##_settled(b);                                                         \
+            size_t here = 2 * GS_LANES;                                                                                \
+            if (gs_all(gs_both(gs_##name##_is_kind0(a), gs_##name##_is_kind0(b)))) {                                   \
+                gs_v r = gs_##name##_quick0(a), s = gs_##name##_quick0(b);                                             \
+                const gs_mask good = gs_rounds_one_way(r), fine = gs_rounds_one_way(s);                                \
+                if (!gs_all(gs_both(good, fine))) {                                                                    \
+                    r = gs_all(good) ? r : gs_##name##_settled(a);                                                     \
+                    s = gs_all(fine) ? s : gs_##name##_settled(b);                                                     \
+                }                                                                                                      \
+                gs_v_narrow(value, r);                                                                                 \
+                gs_v_narrow(value + GS_LANES, s);                                                                      \
+            } else {                                                                                                   \
+                here = n < GS_BLOCK ? n - n % GS_LANES : GS_BLOCK;                                                     \
+                gs_##name##_mixed_single(here, x, value);                                                              \
             }                                                                                                          \
-            if (here < 2 * GS_LANES) {                                                                                 \
-                gs_v_narrow(pad, r);                                                                                   \
-                gs_v_narrow(pad + GS_LANES, s);                                                                        \
-                memcpy(value, pad, here * sizeof *value);                                                              \
-                return;                                                                                                \
-            }                                                                                                          \
-            gs_v_narrow(value, r);                                                                                     \
-            gs_v_narrow(value + GS_LANES, s);                                                                          \
-            n -= 2 * GS_LANES, x += 2 * GS_LANES, value += 2 * GS_LANES;                                               \
+            n -= here, x += here, value += here;                                                                       \
+        }                                                                                                              \
+        if (n > 0) {                                                                                                   \
+            float pad[2 * GS_LANES];                                                                                   \
+            for (size_t j = 0; j < 2 * GS_LANES; j++)                                                                  \
+                pad[j] = x[j < n ? j : n - 1];                                                                         \
+            for (size_t j = 0; j < n; j += GS_LANES)                                                                   \
+                gs_v_narrow(pad + j, gs_##name##_any_single(gs_v_widen(pad + j)));                                     \
+            memcpy(value, pad, n * sizeof *value);                                                                     \
         }                                                                                                              \
     }
 
-static inline gs_mask gs_phi1m_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_phi1m_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
-    *r = gs_phi1m_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_phi1m_range0_lean(x);
 }
-
+static inline gs_v gs_phi1m_quick1(gs_v x)
+{
+    return gs_phi1m_range1_lean(x);
+}
+static inline gs_v gs_phi1m_quick2(gs_v x)
+{
+    return gs_phi1m_range2_lean(x);
+}
+static GS_RARE gs_v gs_phi1m_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_phi1m_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_phi1m_any_single(gs_v x)
+{
+    const gs_mask typical = gs_phi1m_is_kind0(x);
+    const gs_v r = gs_phi1m_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_phi1m_settled(x);
+}
+static inline gs_v gs_phi1m_kind1_single(gs_v x)
+{
+    const gs_v r = gs_phi1m_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_phi1m_settled(x);
+}
+static inline gs_v gs_phi1m_kind2_single(gs_v x)
+{
+    const gs_v r = gs_phi1m_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_phi1m_settled(x);
+}
+static GS_RARE void gs_phi1m_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_phi1m_is_kind1(v);
+        const gs_mask in2 = gs_phi1m_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_phi1m_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_phi1m_kind1_single, gs_v_of(0x1.a400000000000p+4), part1, length1);
+    GS_SERVE(gs_phi1m_kind2_single, gs_v_of(0x1.be40000000000p+8), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_phi1m_is_kind1(v);
+        const gs_mask in2 = gs_phi1m_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(phi1m)
 
-static inline gs_mask gs_phi2m_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_phi2m_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
-    *r = gs_phi2m_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_phi2m_range0_lean(x);
 }
-
+static inline gs_v gs_phi2m_quick1(gs_v x)
+{
+    return gs_phi2m_range1_lean(x);
+}
+static inline gs_v gs_phi2m_quick2(gs_v x)
+{
+    return gs_phi2m_range2_lean(x);
+}
+static GS_RARE gs_v gs_phi2m_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_phi2m_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_phi2m_any_single(gs_v x)
+{
+    const gs_mask typical = gs_phi2m_is_kind0(x);
+    const gs_v r = gs_phi2m_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_phi2m_settled(x);
+}
+static inline gs_v gs_phi2m_kind1_single(gs_v x)
+{
+    const gs_v r = gs_phi2m_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_phi2m_settled(x);
+}
+static inline gs_v gs_phi2m_kind2_single(gs_v x)
+{
+    const gs_v r = gs_phi2m_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_phi2m_settled(x);
+}
+static GS_RARE void gs_phi2m_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_phi2m_is_kind1(v);
+        const gs_mask in2 = gs_phi2m_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_phi2m_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_phi2m_kind1_single, gs_v_of(0x1.a400000000000p+4), part1, length1);
+    GS_SERVE(gs_phi2m_kind2_single, gs_v_of(0x1.be40000000000p+8), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_phi2m_is_kind1(v);
+        const gs_mask in2 = gs_phi2m_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(phi2m)
 
-static inline gs_mask gs_descent_factor_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_descent_factor_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.2c00000000000p+3));
-    *r = gs_descent_factor_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_descent_factor_range0_lean(x);
 }
-
+static inline gs_v gs_descent_factor_quick1(gs_v x)
+{
+    return gs_descent_factor_range1_lean(x);
+}
+static GS_RARE gs_v gs_descent_factor_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_descent_factor_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_descent_factor_any_single(gs_v x)
+{
+    const gs_mask typical = gs_descent_factor_is_kind0(x);
+    const gs_v r = gs_descent_factor_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_descent_factor_settled(x);
+}
+static inline gs_v gs_descent_factor_kind1_single(gs_v x)
+{
+    const gs_v r = gs_descent_factor_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_descent_factor_settled(x);
+}
+static GS_RARE void gs_descent_factor_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_descent_factor_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+    }
+    GS_SERVE(gs_descent_factor_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_descent_factor_kind1_single, gs_v_of(0x1.2c00000000000p+3), part1, length1);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_descent_factor_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(descent_factor)
 
-static inline gs_mask gs_flight_factor_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_flight_factor_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
-    *r = gs_flight_factor_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_flight_factor_range0_lean(x);
 }
-
+static inline gs_v gs_flight_factor_quick1(gs_v x)
+{
+    return gs_flight_factor_range1_lean(x);
+}
+static inline gs_v gs_flight_factor_quick2(gs_v x)
+{
+    return gs_flight_factor_range2_lean(x);
+}
+static GS_RARE gs_v gs_flight_factor_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_flight_factor_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_flight_factor_any_single(gs_v x)
+{
+    const gs_mask typical = gs_flight_factor_is_kind0(x);
+    const gs_v r = gs_flight_factor_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_flight_factor_settled(x);
+}
+static inline gs_v gs_flight_factor_kind1_single(gs_v x)
+{
+    const gs_v r = gs_flight_factor_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_flight_factor_settled(x);
+}
+static inline gs_v gs_flight_factor_kind2_single(gs_v x)
+{
+    const gs_v r = gs_flight_factor_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_flight_factor_settled(x);
+}
+static GS_RARE void gs_flight_factor_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_flight_factor_is_kind1(v);
+        const gs_mask in2 = gs_flight_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_flight_factor_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_flight_factor_kind1_single, gs_v_of(0x1.e000000000000p+3), part1, length1);
+    GS_SERVE(gs_flight_factor_kind2_single, gs_v_of(0x1.fe00000000000p+7), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_flight_factor_is_kind1(v);
+        const gs_mask in2 = gs_flight_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(flight_factor)
 
-static inline gs_mask gs_range_factor_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_range_factor_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
-    *r = gs_range_factor_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_range_factor_range0_lean(x);
 }
-
+static inline gs_v gs_range_factor_quick1(gs_v x)
+{
+    return gs_range_factor_range1_lean(x);
+}
+static inline gs_v gs_range_factor_quick2(gs_v x)
+{
+    return gs_range_factor_range2_lean(x);
+}
+static GS_RARE gs_v gs_range_factor_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_range_factor_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_range_factor_any_single(gs_v x)
+{
+    const gs_mask typical = gs_range_factor_is_kind0(x);
+    const gs_v r = gs_range_factor_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_range_factor_settled(x);
+}
+static inline gs_v gs_range_factor_kind1_single(gs_v x)
+{
+    const gs_v r = gs_range_factor_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_range_factor_settled(x);
+}
+static inline gs_v gs_range_factor_kind2_single(gs_v x)
+{
+    const gs_v r = gs_range_factor_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_range_factor_settled(x);
+}
+static GS_RARE void gs_range_factor_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_range_factor_is_kind1(v);
+        const gs_mask in2 = gs_range_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_range_factor_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_range_factor_kind1_single, gs_v_of(0x1.e000000000000p+2), part1, length1);
+    GS_SERVE(gs_range_factor_kind2_single, gs_v_of(0x1.fe00000000000p+6), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_range_factor_is_kind1(v);
+        const gs_mask in2 = gs_range_factor_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(range_factor)
 
-static inline gs_mask gs_best_sine_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_best_sine_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
-    *r = gs_best_sine_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_best_sine_range0_lean(x);
 }
-
+static inline gs_v gs_best_sine_quick1(gs_v x)
+{
+    return gs_best_sine_range1_lean(x);
+}
+static GS_RARE gs_v gs_best_sine_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_best_sine_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_best_sine_any_single(gs_v x)
+{
+    const gs_mask typical = gs_best_sine_is_kind0(x);
+    const gs_v r = gs_best_sine_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_best_sine_settled(x);
+}
+static inline gs_v gs_best_sine_kind1_single(gs_v x)
+{
+    const gs_v r = gs_best_sine_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_best_sine_settled(x);
+}
+static GS_RARE void gs_best_sine_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_best_sine_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+    }
+    GS_SERVE(gs_best_sine_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_best_sine_kind1_single, gs_v_of(0x1.e000000000000p+3), part1, length1);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_best_sine_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(best_sine)
 
-static inline gs_mask gs_best_angle_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_best_angle_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
-    *r = gs_best_angle_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_best_angle_range0_lean(x);
 }
-
+static inline gs_v gs_best_angle_quick1(gs_v x)
+{
+    return gs_best_angle_range1_lean(x);
+}
+static GS_RARE gs_v gs_best_angle_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_best_angle_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_best_angle_any_single(gs_v x)
+{
+    const gs_mask typical = gs_best_angle_is_kind0(x);
+    const gs_v r = gs_best_angle_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_best_angle_settled(x);
+}
+static inline gs_v gs_best_angle_kind1_single(gs_v x)
+{
+    const gs_v r = gs_best_angle_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_best_angle_settled(x);
+}
+static GS_RARE void gs_best_angle_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_best_angle_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+    }
+    GS_SERVE(gs_best_angle_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_best_angle_kind1_single, gs_v_of(0x1.e000000000000p+3), part1, length1);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_best_angle_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(best_angle)
 
-static inline gs_mask gs_max_range_factor_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_max_range_factor_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
-    *r = gs_max_range_factor_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_max_range_factor_range0_lean(x);
 }
-
+static inline gs_v gs_max_range_factor_quick1(gs_v x)
+{
+    return gs_max_range_factor_range1_lean(x);
+}
+static GS_RARE gs_v gs_max_range_factor_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_max_range_factor_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_max_range_factor_any_single(gs_v x)
+{
+    const gs_mask typical = gs_max_range_factor_is_kind0(x);
+    const gs_v r = gs_max_range_factor_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_max_range_factor_settled(x);
+}
+static inline gs_v gs_max_range_factor_kind1_single(gs_v x)
+{
+    const gs_v r = gs_max_range_factor_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_max_range_factor_settled(x);
+}
+static GS_RARE void gs_max_range_factor_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_max_range_factor_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+    }
+    GS_SERVE(gs_max_range_factor_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_max_range_factor_kind1_single, gs_v_of(0x1.e000000000000p+2), part1, length1);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_max_range_factor_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(max_range_factor)
 
-static inline gs_mask gs_w0_offset_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_w0_offset_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.5f33333333333p+5));
-    *r = gs_w0_offset_range0_lean(gs_select(inside, m, gs_v_of(0x1.0000000000000p-900)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_w0_offset_range0_lean(x);
 }
-
+static inline gs_v gs_w0_offset_quick2(gs_v x)
+{
+    return gs_w0_offset_range2_lean(x);
+}
+static GS_RARE gs_v gs_w0_offset_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_w0_offset_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_w0_offset_any_single(gs_v x)
+{
+    const gs_mask typical = gs_w0_offset_is_kind0(x);
+    const gs_v r = gs_w0_offset_quick0(gs_select(typical, x, gs_v_of(0x1.0000000000000p-900)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_w0_offset_settled(x);
+}
+static inline gs_v gs_w0_offset_kind2_single(gs_v x)
+{
+    const gs_v r = gs_w0_offset_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_w0_offset_settled(x);
+}
+static GS_RARE void gs_w0_offset_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length2 = 0, taken0 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in2 = gs_w0_offset_is_kind2(v);
+        const gs_mask in0 = gs_not(in2);
+        length0 = gs_append(part0, length0, in0, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_w0_offset_any_single, gs_v_of(0x1.0000000000000p-900), part0, length0);
+    GS_SERVE(gs_w0_offset_kind2_single, gs_v_of(0x1.5f33333333333p+5), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in2 = gs_w0_offset_is_kind2(v);
+        const gs_mask in0 = gs_not(in2);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(w0_offset)
 
-static inline gs_mask gs_wm1_offset_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_wm1_offset_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.c000000000000p+6));
-    *r = gs_wm1_offset_range0_lean(gs_select(inside, m, gs_v_of(0x1.0000000000000p-900)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_wm1_offset_range0_lean(x);
 }
-
+static inline gs_v gs_wm1_offset_quick2(gs_v x)
+{
+    return gs_wm1_offset_range2_lean(x);
+}
+static GS_RARE gs_v gs_wm1_offset_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_wm1_offset_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_wm1_offset_any_single(gs_v x)
+{
+    const gs_mask typical = gs_wm1_offset_is_kind0(x);
+    const gs_v r = gs_wm1_offset_quick0(gs_select(typical, x, gs_v_of(0x1.0000000000000p-900)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_wm1_offset_settled(x);
+}
+static inline gs_v gs_wm1_offset_kind2_single(gs_v x)
+{
+    const gs_v r = gs_wm1_offset_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_wm1_offset_settled(x);
+}
+static GS_RARE void gs_wm1_offset_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length2 = 0, taken0 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in2 = gs_wm1_offset_is_kind2(v);
+        const gs_mask in0 = gs_not(in2);
+        length0 = gs_append(part0, length0, in0, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_wm1_offset_any_single, gs_v_of(0x1.0000000000000p-900), part0, length0);
+    GS_SERVE(gs_wm1_offset_kind2_single, gs_v_of(0x1.c000000000000p+6), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in2 = gs_wm1_offset_is_kind2(v);
+        const gs_mask in0 = gs_not(in2);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(wm1_offset)
 
-static inline gs_mask gs_w0_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_w0_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(0x1.5800000000000p+4));
-    *r = gs_w0_range0_lean(gs_select(inside, m, gs_v_of(-0x1.78b56362cef37p-2)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_w0_range0_lean(x);
 }
-
+static inline gs_v gs_w0_quick1(gs_v x)
+{
+    return gs_w0_range1_lean(x);
+}
+static GS_RARE gs_v gs_w0_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_w0_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_w0_any_single(gs_v x)
+{
+    const gs_mask typical = gs_w0_is_kind0(x);
+    const gs_v r = gs_w0_quick0(gs_select(typical, x, gs_v_of(-0x1.78b56362cef37p-2)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_w0_settled(x);
+}
+static inline gs_v gs_w0_kind1_single(gs_v x)
+{
+    const gs_v r = gs_w0_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_w0_settled(x);
+}
+static GS_RARE void gs_w0_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_w0_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+    }
+    GS_SERVE(gs_w0_any_single, gs_v_of(-0x1.78b56362cef37p-2), part0, length0);
+    GS_SERVE(gs_w0_kind1_single, gs_v_of(0x1.5800000000000p+4), part1, length1);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_w0_is_kind1(v);
+        const gs_mask in0 = gs_not(in1);
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(w0)
 
-static inline gs_mask gs_wm1_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_wm1_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(-0x1.38ef34d6a161ep-2), gs_v_of(-0x1.2b50c6ec4f313p-163));
-    *r = gs_wm1_range0_lean(gs_select(inside, m, gs_v_of(-0x1.38ef34d6a161ep-2)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_wm1_range0_lean(x);
 }
-
+static inline gs_v gs_wm1_quick1(gs_v x)
+{
+    return gs_wm1_range1_lean(x);
+}
+static inline gs_v gs_wm1_quick2(gs_v x)
+{
+    return gs_wm1_range2_lean(x);
+}
+static GS_RARE gs_v gs_wm1_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_wm1_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_wm1_any_single(gs_v x)
+{
+    const gs_mask typical = gs_wm1_is_kind0(x);
+    const gs_v r = gs_wm1_quick0(gs_select(typical, x, gs_v_of(-0x1.78b56362cef37p-2)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_wm1_settled(x);
+}
+static inline gs_v gs_wm1_kind1_single(gs_v x)
+{
+    const gs_v r = gs_wm1_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_wm1_settled(x);
+}
+static inline gs_v gs_wm1_kind2_single(gs_v x)
+{
+    const gs_v r = gs_wm1_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_wm1_settled(x);
+}
+static GS_RARE void gs_wm1_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_wm1_is_kind1(v);
+        const gs_mask in2 = gs_wm1_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_wm1_any_single, gs_v_of(-0x1.78b56362cef37p-2), part0, length0);
+    GS_SERVE(gs_wm1_kind1_single, gs_v_of(-0x1.fbe76c8b43958p-4), part1, length1);
+    GS_SERVE(gs_wm1_kind2_single, gs_v_of(-0x1.0000000000000p-7), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_wm1_is_kind1(v);
+        const gs_mask in2 = gs_wm1_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(wm1)
 
-static inline gs_mask gs_exp_minus_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_exp_minus_quick0(gs_v x)
 {
-    const gs_v m = wide;
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.4000000000000p+9));
-    *r = gs_exp_minus_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_exp_minus_range0_lean(x);
 }
-
+static inline gs_v gs_exp_minus_quick1(gs_v x)
+{
+    return gs_exp_minus_range1_lean(x);
+}
+static inline gs_v gs_exp_minus_quick2(gs_v x)
+{
+    return gs_exp_minus_range2_lean(x);
+}
+static GS_RARE gs_v gs_exp_minus_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_exp_minus_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_exp_minus_any_single(gs_v x)
+{
+    const gs_mask typical = gs_exp_minus_is_kind0(x);
+    const gs_v r = gs_exp_minus_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_exp_minus_settled(x);
+}
+static inline gs_v gs_exp_minus_kind1_single(gs_v x)
+{
+    const gs_v r = gs_exp_minus_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_exp_minus_settled(x);
+}
+static inline gs_v gs_exp_minus_kind2_single(gs_v x)
+{
+    const gs_v r = gs_exp_minus_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_exp_minus_settled(x);
+}
+static GS_RARE void gs_exp_minus_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_exp_minus_is_kind1(v);
+        const gs_mask in2 = gs_exp_minus_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_exp_minus_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_exp_minus_kind1_single, gs_v_of(0x1.4000000000000p+9), part1, length1);
+    GS_SERVE(gs_exp_minus_kind2_single, gs_v_of(INFINITY), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_exp_minus_is_kind1(v);
+        const gs_mask in2 = gs_exp_minus_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(exp_minus)
 
-static inline gs_mask gs_sin_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_sin_quick0(gs_v x)
 {
-    const gs_v m = gs_abs(wide);
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.921fb54442d19p+0));
-    *r = gs_sin_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    *r = gs_flip(*r, wide);
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_flip(gs_sin_range0_lean(gs_abs(x)), x);
 }
-
+static GS_RARE gs_v gs_sin_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_sin_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_sin_any_single(gs_v x)
+{
+    const gs_mask typical = gs_sin_is_kind0(x);
+    const gs_v r = gs_sin_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_sin_settled(x);
+}
+static GS_RARE void gs_sin_mixed_single(size_t n, const float *x, float *value)
+{
+    for (size_t i = 0; i < n; i += GS_LANES)
+        gs_v_narrow(value + i, gs_sin_any_single(gs_v_widen(x + i)));
+}
 GS_SINGLES(sin)
 
-static inline gs_mask gs_cos_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_cos_quick0(gs_v x)
 {
-    const gs_v m = gs_abs(wide);
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.921fb54442d19p+0));
-    *r = gs_cos_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_cos_range0_lean(gs_abs(x));
 }
-
+static GS_RARE gs_v gs_cos_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_cos_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_cos_any_single(gs_v x)
+{
+    const gs_mask typical = gs_cos_is_kind0(x);
+    const gs_v r = gs_cos_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_cos_settled(x);
+}
+static GS_RARE void gs_cos_mixed_single(size_t n, const float *x, float *value)
+{
+    for (size_t i = 0; i < n; i += GS_LANES)
+        gs_v_narrow(value + i, gs_cos_any_single(gs_v_widen(x + i)));
+}
 GS_SINGLES(cos)
 
-static inline gs_mask gs_arctan_quick(gs_v wide, gs_v *r)
+static inline gs_v gs_arctan_quick0(gs_v x)
 {
-    const gs_v m = gs_abs(wide);
-    const gs_mask inside = gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+1));
-    *r = gs_arctan_range0_lean(gs_select(inside, m, gs_v_of(0x0.0p+0)));
-    *r = gs_flip(*r, wide);
-    return gs_both(inside, gs_rounds_one_way(*r));
+    return gs_flip(gs_arctan_range0_lean(gs_abs(x)), x);
 }
-
+static inline gs_v gs_arctan_quick1(gs_v x)
+{
+    return gs_flip(gs_arctan_range1_lean(gs_abs(x)), x);
+}
+static inline gs_v gs_arctan_quick2(gs_v x)
+{
+    return gs_flip(gs_arctan_range2_lean(gs_abs(x)), x);
+}
+static GS_RARE gs_v gs_arctan_settled(gs_v wide)
+{
+    gs_v lo;
+    const gs_v hi = gs_arctan_value(wide, &lo);
+    return gs_to_odd(hi, lo);
+}
+static inline gs_v gs_arctan_any_single(gs_v x)
+{
+    const gs_mask typical = gs_arctan_is_kind0(x);
+    const gs_v r = gs_arctan_quick0(gs_select(typical, x, gs_v_of(0x0.0p+0)));
+    return gs_all(gs_both(typical, gs_rounds_one_way(r))) ? r : gs_arctan_settled(x);
+}
+static inline gs_v gs_arctan_kind1_single(gs_v x)
+{
+    const gs_v r = gs_arctan_quick1(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_arctan_settled(x);
+}
+static inline gs_v gs_arctan_kind2_single(gs_v x)
+{
+    const gs_v r = gs_arctan_quick2(x);
+    return gs_all(gs_rounds_one_way(r)) ? r : gs_arctan_settled(x);
+}
+static GS_RARE void gs_arctan_mixed_single(size_t n, const float *x, float *value)
+{
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_arctan_is_kind1(v);
+        const gs_mask in2 = gs_arctan_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        length0 = gs_append(part0, length0, in0, v);
+        length1 = gs_append(part1, length1, in1, v);
+        length2 = gs_append(part2, length2, in2, v);
+    }
+    GS_SERVE(gs_arctan_any_single, gs_v_of(0x0.0p+0), part0, length0);
+    GS_SERVE(gs_arctan_kind1_single, gs_v_of(0x1.e000000000000p+1), part1, length1);
+    GS_SERVE(gs_arctan_kind2_single, gs_v_of(0x1.fe00000000000p+5), part2, length2);
+    for (size_t i = 0; i < n; i += GS_LANES) {
+        const gs_v v = gs_v_widen(x + i);
+        const gs_mask in1 = gs_arctan_is_kind1(v);
+        const gs_mask in2 = gs_arctan_is_kind2(v);
+        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        gs_v r = v;
+        r = gs_take(part0, &taken0, in0, r);
+        r = gs_take(part1, &taken1, in1, r);
+        r = gs_take(part2, &taken2, in2, r);
+        gs_v_narrow(value + i, r);
+    }
+}
 GS_SINGLES(arctan)
+
 #endif

@@ -12,7 +12,8 @@ HEADERS = (
     "galileo_frames.h",
 )  # each primitive uses some of what they define
 LOOPS = "galileo_loops.h"
-QUICK = ("galileo_lean.h", "galileo_singles.h")
+QUICK = ("galileo_lean.h", "galileo_blocks.h", "galileo_singles.h")
+_QUICK_MACRO = re.compile(r"^#define GS_(?:SERVE|SINGLES)\(.*?[^\\]\n", re.MULTILINE | re.DOTALL)
 _HEAD = r"^(?:GS_TABLE\((\w+)\)|static\b[^\n(]*?\b(gs_\w+)\()"
 _DEFINITION = re.compile(_HEAD + r"(?:[^\n]*\}\n|.*?^\}[^\n]*\n)", re.MULTILINE | re.DOTALL)  # in a line, or in many
 _GUARD = re.compile(r"#ifndef (\w+)\n#define \1\n((?:#include \"galileo\w*\.h\"\n)*)(.*)#endif\s*", re.DOTALL)
@@ -85,6 +86,6 @@ def singles_digest(name, folder=None):
     """Return the SHA-256 of what the quick binary32 function of a primitive, and that by pairs, are compiled from."""
     folder = Path(folder or c_folder())
     text = "".join(_bare(folder / file) for file in (*HEADERS, *QUICK))
-    macro = re.search(r"#define GS_SINGLES\(name\).*?[^\\]\n", text, re.DOTALL).group()
-    parts = [digest(name, folder), *used_by(name, text, "quick"), macro]
+    of_it = [*used_by(name, text, "any_single"), *used_by(name, text, "mixed_single")]
+    parts = [digest(name, folder), *of_it, *_QUICK_MACRO.findall(text)]
     return hashlib.sha256("\n".join(" ".join(part.split()) for part in parts).encode()).hexdigest()

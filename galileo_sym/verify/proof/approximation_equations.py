@@ -175,6 +175,11 @@ def _wm1_branch(x, f):
     return root - (2 * arb(1).exp()).sqrt() * x, f * slope
 
 
+def _wm1_middle(x, f):
+    """f exp(-f) = x with f > 1."""
+    return f - log(f) + log(x), f - 1
+
+
 def _log(x, f):
     return exp(f) - x, f * exp(f)
 
@@ -223,6 +228,7 @@ EQUATIONS = {
     "rise_factor": Equation(_rise_factor),
     "fall_factor": Equation(_fall_factor, least=1),  # x^2/2 = sigma - log(1 + sigma) <= sigma^2/2
     "wm1_branch": Equation(_wm1_branch, least=1),
+    "wm1_middle": Equation(_wm1_middle, least=1),
     "fall_log": Equation(_fall_log),
     "log": Equation(_log),
     "omega": Equation(_omega),

@@ -32,7 +32,11 @@ CONDITIONS = {
     "rise_factor": (1, None),  # 1 - p^2 exp(-tau)/(1 - exp(-tau))^2 >= 1 - (tau/2 / sinh(tau/2))^2
     "fall_factor": (2, None),  # p^2 (1 + sigma)/sigma^2 - 1, p^2 <= sigma^2 and <= 2 sigma
     "w0_ratio": (None, 3),  # dW/dq = 2 e q/(v exp(v)) with v = 1 + W, e q^2 <= v^2 exp(v)/2
-    "wm1_branch": (None, 7),  # du/dq = 2 e q exp(u)/u with u = -1 - W, e q^2 <= u^2/2, u < 1 for q <= 1/4
+    "wm1_branch": (
+        None,
+        8,
+    ),  # (du/dq)/(1 + u) = 2 e q exp(u)/u/(1 + u), u = -1 - W, e q^2 <= u^2/2, u < 2.35 for q <= 1/2
+    "wm1_middle": (1, None),  # 1/u, u = -1 - W >= 2 for m <= 1/8
 }
 
 

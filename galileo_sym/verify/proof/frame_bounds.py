@@ -32,7 +32,7 @@ VAIN = 4  # cuts in vain after which a cell is left
 BESIDE = {
     "gs_cos_range0": ("pi/2", 1, Fraction(1)),
     "gs_w0_range0": ("1/e", -1, Fraction(1, 8)),
-    "gs_wm1_range1": ("1/e", -1, Fraction(1, 8)),
+    "gs_wm1_range0": ("1/e", -1, Fraction(1, 8)),
 }
 CHOICES = 6  # comparisons that a cell may leave open
 _HALF = Fraction(1, 2)

@@ -206,7 +206,11 @@ FORMS = {
         _w0_series,
         only("omega(log(x))"),
     ),
-    "wm1": (only({"": -1, f"fall_factor({_FALL}) {_FALL}": -1}), only({f"wm1_branch({_BRANCH})": -1})),
+    "wm1": (
+        only({f"wm1_branch({_BRANCH})": -1}),
+        only({"wm1_middle(-1 x)": -1}),
+        only({"": -1, f"fall_factor({_FALL}) {_FALL}": -1}),
+    ),
     "w0_offset": (only(f"rise_factor({_ROOT}) {_ROOT}"), _tiny_offset(1), only("", _one)),
     "wm1_offset": (
         only({f"fall_factor({_ROOT}) {_ROOT}": -1}),

@@ -11,42 +11,35 @@ static inline gs_mask gs_rounds_one_way(gs_v r)
     return gs_both(gs_at_least(gs_abs(r), gs_v_of(0x1p-126)), gs_off_ties(r));
 }
 
-/* Two vectors a turn, so that each column of a table serves both. */
+/* Two vectors a turn while all their lanes are typical, else a block; fewer than two are filled up with the last one. */
 #define GS_SINGLES(name)                                                                                               \
-    static GS_RARE gs_v gs_##name##_settled(gs_v wide)                                                                 \
-    {                                                                                                                  \
-        gs_v lo;                                                                                                       \
-        const gs_v hi = gs_##name##_value(wide, &lo);                                                                  \
-        return gs_to_odd(hi, lo);                                                                                      \
-    }                                                                                                                  \
     void GS_JOIN(gs_##name##_ns, GS_SUFFIX)(size_t n, const float *x, float *value)                                    \
     {                                                                                                                  \
-        float pad[2 * GS_LANES];                                                                                       \
-        gs_v r, s;                                                                                                     \
-        for (;;) {                                                                                                     \
-            const size_t here = n < 2 * GS_LANES ? n : 2 * GS_LANES;                                                   \
-            if (here == 0)                                                                                             \
-                return;                                                                                                \
-            if (here < 2 * GS_LANES) {                                                                                 \
-                for (size_t j = 0; j < 2 * GS_LANES; j++)                                                              \
-                    pad[j] = x[j < here ? j : here - 1];                                                               \
-                x = pad;                                                                                               \
-            }                                                                                                          \
+        while (n >= 2 * GS_LANES) {                                                                                    \
             const gs_v a = gs_v_widen(x), b = gs_v_widen(x + GS_LANES);                                                \
-            const gs_mask good = gs_##name##_quick(a, &r), fine = gs_##name##_quick(b, &s);                            \
-            if (!gs_all(gs_both(good, fine))) {                                                                        \
-                r = gs_all(good) ? r : gs_##name##_settled(a);                                                         \
-                s = gs_all(fine) ? s : gs_##name##_settled(b);                                                         \
+            size_t here = 2 * GS_LANES;                                                                                \
+            if (gs_all(gs_both(gs_##name##_is_kind0(a), gs_##name##_is_kind0(b)))) {                                   \
+                gs_v r = gs_##name##_quick0(a), s = gs_##name##_quick0(b);                                             \
+                const gs_mask good = gs_rounds_one_way(r), fine = gs_rounds_one_way(s);                                \
+                if (!gs_all(gs_both(good, fine))) {                                                                    \
+                    r = gs_all(good) ? r : gs_##name##_settled(a);                                                     \
+                    s = gs_all(fine) ? s : gs_##name##_settled(b);                                                     \
+                }                                                                                                      \
+                gs_v_narrow(value, r);                                                                                 \
+                gs_v_narrow(value + GS_LANES, s);                                                                      \
+            } else {                                                                                                   \
+                here = n < GS_BLOCK ? n - n % GS_LANES : GS_BLOCK;                                                     \
+                gs_##name##_mixed_single(here, x, value);                                                              \
             }                                                                                                          \
-            if (here < 2 * GS_LANES) {                                                                                 \
-                gs_v_narrow(pad, r);                                                                                   \
-                gs_v_narrow(pad + GS_LANES, s);                                                                        \
-                memcpy(value, pad, here * sizeof *value);                                                              \
-                return;                                                                                                \
-            }                                                                                                          \
-            gs_v_narrow(value, r);                                                                                     \
-            gs_v_narrow(value + GS_LANES, s);                                                                          \
-            n -= 2 * GS_LANES, x += 2 * GS_LANES, value += 2 * GS_LANES;                                               \
+            n -= here, x += here, value += here;                                                                       \
+        }                                                                                                              \
+        if (n > 0) {                                                                                                   \
+            float pad[2 * GS_LANES];                                                                                   \
+            for (size_t j = 0; j < 2 * GS_LANES; j++)                                                                  \
+                pad[j] = x[j < n ? j : n - 1];                                                                         \
+            for (size_t j = 0; j < n; j += GS_LANES)                                                                   \
+                gs_v_narrow(pad + j, gs_##name##_any_single(gs_v_widen(pad + j)));                                     \
+            memcpy(value, pad, n * sizeof *value);                                                                     \
         }                                                                                                              \
     }
 

