@@ -24,7 +24,8 @@ def digest(paths: Iterable[Path]) -> str:
 def machinery() -> str:
     """Of what carries out and checks derivations: ledger, tactics, primitives, and the libraries' versions."""
     root = Path(__file__).parent
-    sources = digest([root / "rows.py", *(path for name in MACHINERY for path in _below(root / name))])
+    own = [root / "rows.py", root / "multiprecision.py"]
+    sources = digest([*own, *(path for name in MACHINERY for path in _below(root / name))])
     return f"{sources} {platform.python_version()} {[f'{name} {_version(name)}' for name in LIBRARIES]}"
 
 

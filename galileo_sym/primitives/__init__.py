@@ -1,5 +1,6 @@
 """The few one-variable functions behind everything: definition, value at any precision, approximation."""
 
+from galileo_sym.multiprecision import mp_value
 from galileo_sym.primitives.branches import OF_BRANCHES, branch_factor, w0_offset, wm1_offset
 from galileo_sym.primitives.functions import FUNCTIONS as OF_MOTION
 from galileo_sym.primitives.functions import (
@@ -17,7 +18,6 @@ from galileo_sym.primitives.functions import (
     range_factor,
     range_loss,
 )
-from galileo_sym.primitives.multiprecision import mp_value
 
 FUNCTIONS = {**OF_MOTION, **OF_BRANCHES}
 

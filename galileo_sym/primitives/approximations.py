@@ -9,8 +9,8 @@ from importlib import resources
 
 from mpmath import mp, mpf
 
+from galileo_sym.multiprecision import mp_value
 from galileo_sym.primitives import coefficient_text
-from galileo_sym.primitives.multiprecision import mp_value
 from galileo_sym.primitives.pieces import COUNT, Partition, fit_piece
 
 TOLERANCE = 2.0**-58

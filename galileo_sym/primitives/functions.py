@@ -10,7 +10,7 @@ import mpmath
 from sympy import Abs, Float, Function, LambertW, Rational, S, asin, cos, exp, pi, sign, sin, sqrt
 from sympy.core.function import ArgumentIndexError
 
-from galileo_sym.primitives.multiprecision import mp_value
+from galileo_sym.multiprecision import mp_value
 
 
 class Primitive(Function):

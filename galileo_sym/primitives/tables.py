@@ -6,9 +6,9 @@ from pathlib import Path
 
 from mpmath import mp, mpf
 
+from galileo_sym.multiprecision import mp_value
 from galileo_sym.primitives import coefficient_text
 from galileo_sym.primitives.fit import PER_BINADE, fit, pieces_up_to
-from galileo_sym.primitives.multiprecision import mp_value
 
 DEGREE = 11
 TOLERANCE = 2.0**-60
