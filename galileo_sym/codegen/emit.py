@@ -20,6 +20,7 @@ from galileo_sym.codegen import (
     blocks,
     c99,
     frames,
+    graphs,
     kernels,
     lanes,
     lean,
@@ -112,6 +113,7 @@ def _sources():
         files[name] = _python(f"templates/numpy/{name}", _template(f"numpy/{name}"))
     files["_tables.py"] = _python("the tables of galileo_sym.primitives", tables.numpy_tables())
     files["_pieces.py"] = _python("the coefficients of galileo_sym.primitives", numpy_kernels.pieces())
+    files["_graphs.py"] = _python("the stable forms of both papers", graphs.module())
     files["_steps.py"] = _python("the powers of 2", numpy_steps.module())
     files["special.py"] = _python("the frames of galileo_sym.primitives", numpy_kernels.special())
     for paper in _papers():
