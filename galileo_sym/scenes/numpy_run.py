@@ -1,0 +1,61 @@
+"""A plan carried out by NumPy: factors in pairs on their axes, rounded once; one multiplication an output a point."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from galileo_sym.generated._kernel import admit
+from galileo_sym.scenes.ends import ended
+from galileo_sym.scenes.operations import OPERATIONS, factors
+from galileo_sym.scenes.points import placed
+
+
+def evaluate(plan, axes, outs, dtype, operations=OPERATIONS):
+    """Return the outputs of a plan at its points.
+
+    Parameters
+    ----------
+    plan : Plan
+    axes : dict of str to ndarray
+        Arrays of float64 of the axes, of equal dimension, that broadcast to the shape of the outputs.
+    outs : sequence of ndarray or None
+        For each output where it is written; None for an array of its own, or a view where some axes do not matter.
+    dtype : numpy.dtype
+        Of outputs that are made.
+    operations : dict of str to callable, optional
+        What carries out the steps.
+
+    Returns
+    -------
+    list of ndarray
+    """
+    shape = np.broadcast_shapes(*(values.shape for values in axes.values()))
+    admitted, void = _admitted(plan, axes)
+    if plan.arrival is None:
+        made = factors(plan, admitted, operations)
+        pairs = zip(plan.results, outs, strict=True)
+        outputs = [placed(plan, result, made, admitted, shape, out, dtype) for result, out in pairs]
+    else:
+        outputs = ended(plan, admitted, shape, outs, dtype, operations)
+    return [_voided(result, output, void) for result, output in zip(plan.results, outputs, strict=True)]
+
+
+def _admitted(plan, axes):
+    """The axes with harmless values where there is no result, and by axis where that is."""
+    domains = dict(plan.domains)
+    admitted, void = {}, {}
+    for name, values in axes.items():
+        before_start = name == "t" and plan.arrival is not None
+        (admitted[name],), mask = admit((values, "real" if before_start else domains[name]))
+        if mask.any():
+            void[name] = mask
+    return admitted, void
+
+
+def _voided(result, output, void):
+    """NaN where an argument of the function of an output is outside its domain."""
+    for name in result.arguments:
+        if name in void:
+            output = output if output.flags.writeable else output.copy()
+            np.copyto(output, np.nan, where=void[name])
+    return output

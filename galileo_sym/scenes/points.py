@@ -1,0 +1,124 @@
+"""The points of an output in NumPy: one multiplication of two factors, or what its result says."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from galileo_sym import _backend
+from galileo_sym.generated._kernel import DOMAINS
+
+_BLOCK = 8192  # points at a time where an output takes several operations: they stay in the cache
+
+
+def own_shape(axes, names, dimensions):
+    """Return the shape over some of the axes, with 1 along the others."""
+    return np.broadcast_shapes((1,) * dimensions, *(axes[name].shape for name in names))
+
+
+def placed(plan, result, made, axes, shape, out, dtype):
+    """Return an output, computed on the axes it depends on, in the shape of all.
+
+    Parameters
+    ----------
+    plan : Plan
+    result : Result
+    made : dict of str to object
+        What the steps of the plan give.
+    axes : dict of str to ndarray
+        In their domains.
+    shape : tuple of int
+    out : ndarray or None
+        Where it is written; None for an array of its own, or a view where some axes do not matter.
+    dtype : numpy.dtype
+        Of an array of its own.
+    """
+    own = own_shape(axes, result.axes, len(shape))
+    target = out if out is not None and own == shape else np.empty(own, dtype)
+    _POINTS[result.operation](plan, result, made, axes, target)
+    return spread(target, shape, out)
+
+
+def spread(target, shape, out):
+    """Return an array along axes that it does not depend on, too: a view, or written out."""
+    if target is out or (out is None and target.shape == shape):
+        return target
+    if out is None:
+        return np.broadcast_to(target, shape)
+    np.copyto(out, target, casting="same_kind")
+    return out
+
+
+def _arguments(plan, result, axes):
+    """The arguments of the public function of an output, in order; harmless ones for what it does not depend on."""
+    constants, domains = dict(plan.constants), dict(plan.domains)
+    return [
+        axes[name] if name in result.axes else constants.get(name, DOMAINS[domains[name]][1])
+        for name in result.arguments
+    ]
+
+
+def _number(plan, result, made, axes, target):
+    target[...] = result.operands[0]
+
+
+def _call(plan, result, made, axes, target):
+    found = _backend.ufunc(result.ufunc)(*_arguments(plan, result, axes))
+    np.copyto(target, found, casting="same_kind")
+
+
+def _copy(plan, result, made, axes, target):
+    (factor,) = (made[name] for name in result.operands)
+    np.copyto(target, factor.parts[0], casting="same_kind")
+    _put_odd(plan, result, [factor], axes, target)
+
+
+def _product(plan, result, made, axes, target):
+    one, other = (made[name] for name in result.operands)
+    np.multiply(one.parts[0], other.parts[0], out=target, casting="same_kind")
+    _put_odd(plan, result, [one, other], axes, target)
+
+
+def _sum(plan, result, made, axes, target):
+    """Sum of the leading parts of addends, whose products are exact, and of what is left of them."""
+    addends = [(sign, [made[name] for name in names]) for sign, *names in result.operands]
+    for block in _blocks(target):
+        high = low = None
+        for sign, found in addends:
+            leading, rest = _ADDENDS[len(found)](*(_part(part, block) for factor in found for part in factor.parts))
+            high = leading if high is None else _SIGNED[sign](high, leading)
+            low = rest if low is None else _SIGNED[sign](low, rest)
+        np.add(high, low, out=target[block], casting="same_kind")
+    _put_odd(plan, result, [factor for _, found in addends for factor in found], axes, target)
+
+
+_SIGNED = {1: np.add, -1: np.subtract}
+_ADDENDS = {  # by number of factors: leading part and rest
+    1: lambda high, low: (high, low),
+    2: lambda one, one_rest, other, other_rest: (one * other, one * other_rest + one_rest * (other + other_rest)),
+}
+
+
+def _blocks(target):
+    """Slices of rows, of some thousand points each; all of what has no rows."""
+    if target.ndim == 0:
+        return [()]
+    rows = max(1, _BLOCK * len(target) // max(target.size, 1))
+    return [slice(start, start + rows) for start in range(0, len(target), rows)]
+
+
+def _part(part, block):
+    """What of a factor belongs to a slice of rows."""
+    return part if block == () or np.ndim(part) == 0 or len(part) == 1 else part[block]
+
+
+def _put_odd(plan, result, found, axes, target):
+    """By the public function, where factors do not serve."""
+    masks = [factor.odd for factor in found if factor.odd is not None and factor.odd.any()]
+    if not masks:
+        return
+    odd = np.broadcast_to(np.logical_or.reduce(np.broadcast_arrays(*masks)), target.shape)
+    arguments = (np.broadcast_to(x, target.shape)[odd] for x in _arguments(plan, result, axes))
+    target[odd] = _backend.ufunc(result.ufunc)(*arguments)
+
+
+_POINTS = {"number": _number, "call": _call, "copy": _copy, "product": _product, "sum": _sum}
