@@ -20,6 +20,7 @@ examples:
   galileo-sym emit --check                  say what in generated/ differs from what would be emitted now
   galileo-sym verify chord.distance --points 5000
   galileo-sym bench --quick                 run time against error, roughly
+  galileo-sym scene chord --over t,theta --outputs x,y --set g=9.81 mu=0.36 --lengths t=1000,theta=1000
   galileo-sym all                           derive, emit, verify
 """
 
@@ -53,6 +54,18 @@ def _positive(text):
     if number < 1:
         raise argparse.ArgumentTypeError(f"{text} is not a positive number")
     return number
+
+
+def _listed(text):
+    return [word for word in text.split(",") if word]
+
+
+def _named_number(text):
+    name, _, value = text.partition("=")
+    try:
+        return name, float(value)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a name, '=' and a number") from None
 
 
 def _settle_output():
@@ -108,12 +121,22 @@ def parser() -> argparse.ArgumentParser:
     bench.add_argument("--publish", action="store_true", help="renew docs/benchmark.md and its plot")
     bench.add_argument("-o", "--output", metavar="DIR", help="write JSON and plot there instead of build/bench")
 
+    scene = commands.add_parser("scene", help="say what a scene computes, over which axes", allow_abbrev=False)
+    scene.add_argument("system", metavar="SYSTEM", help="chord or projectile")
+    scene.add_argument("--over", type=_listed, required=True, metavar="AXIS,...", help="arguments that vary, in order")
+    scene.add_argument("--outputs", type=_listed, required=True, metavar="NAME,...", help="what is wanted, in order")
+    scene.add_argument(
+        "--set", nargs="+", action="extend", type=_named_number, default=[], metavar="NAME=VALUE", help="constants"
+    )
+    scene.add_argument("--until", metavar="END", help="arrival, landing or forever")
+    scene.add_argument("--lengths", type=_listed, metavar="AXIS=N,...", help="of the axes: counts are for all elements")
+
     everything = commands.add_parser("all", help="derive, emit, verify", allow_abbrev=False)
     for command in (derive, everything):
         command.add_argument(
             "--fresh", action="store_true", help="derive all anew, also what an earlier run has proved"
         )
-    for command in (derive, emit, verify, bench, everything):
+    for command in (derive, emit, verify, bench, scene, everything):
         command.add_argument("--json", action="store_true", help="print JSON")
     return top
 

@@ -171,6 +171,51 @@ def bench(options) -> int:
         )
 
 
+def scene(options) -> int:
+    """Say what a scene computes."""
+    from galileo_sym.scenes import Scene
+
+    constants = dict(options.set)
+    if len(constants) < len(options.set):
+        raise UsageError("--set names a constant twice: leave out one of them")
+    try:
+        shown = Scene(options.system, over=options.over, outputs=options.outputs, until=options.until, **constants)
+        lengths = dict(map(_length, options.lengths or []))
+        told = shown.explain(**lengths)
+        counts = shown.cost(**(lengths or dict.fromkeys(shown.over, 1)))
+    except (TypeError, ValueError) as problem:
+        raise UsageError(problem) from None
+    if options.json:
+        told = json.dumps(_as_document(shown, counts), indent=2)
+    print(told)
+    return 0
+
+
+def _length(text):
+    name, _, number = text.partition("=")
+    if not number.isdigit():
+        raise UsageError(f"--lengths {text}: write the name of an axis, '=' and a whole number")
+    return name, int(number)
+
+
+def _as_document(shown, counts):
+    """A scene and its plan, as JSON can hold them."""
+    steps = [
+        {"name": step.name, "over": step.axes, "operation": step.operation, "gives": step.text}
+        for step in (*shown.plan.steps, *shown.plan.all_results)
+    ]
+    return {
+        "system": shown.system,
+        "forces": shown.forces,
+        "over": shown.over,
+        "outputs": shown.outputs,
+        "until": shown.until,
+        "constants": shown.constants,
+        "steps": steps,
+        "counts": [{"over": axes, **found} for axes, found in counts.items()],
+    }
+
+
 DEFAULTS = {
     "names": [],
     "show": False,
@@ -203,4 +248,4 @@ def everything(options) -> int:
     return 1 if failed else 0
 
 
-COMMANDS = {"derive": derive, "emit": emit, "verify": verify, "bench": bench, "all": everything}
+COMMANDS = {"derive": derive, "emit": emit, "verify": verify, "bench": bench, "scene": scene, "all": everything}
