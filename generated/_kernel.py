@@ -54,12 +54,10 @@ def admit(*arguments):
 
 
 def within(value, most, void):
-    """Lanes where an argument is infinite or above the most that has a result turn void and raise 'invalid'.
+    """Lanes where an argument is infinite or above the most that has a result, as told, turn void: 'invalid'.
 
     Also returns the mask of the lanes where it is that most, and not 0.
     """
-    with quiet():
-        most = store(most)
     beyond = ~void & ((value > most) | np.isinf(value))
     if np.any(beyond):
         raise_invalid()

@@ -3,10 +3,39 @@
 
 from math import inf
 
-from ._angle import angle, cosine, driving, sine
-from ._kernel import admit, clash, if_zero, moving, quiet, settle
-from ._primitives import acot, descent_factor, phi1m, phi2m
-from ._scaled import add, constant, div, load, mul, scale, sqrt
+from ._factors import acot, descent_factor, phi1m, phi2m
+from ._forms import Form, serve
+from ._pairs import add, constant, div, load, mul, rate, scale, sqrt
+from ._turn import angle, cosine, driving, sine
+from . import _scaled_chord
+
+
+def _descent_time_free_arrays(theta, diameter, g, lanes):
+    D = load(diameter)
+    g = load(g)
+    t0 = sqrt(scale(div(D, g), 1))
+    return (t0.x,)
+
+
+def _descent_time_free_values(diameter, g):
+    D = load(diameter)
+    g = load(g)
+    t0 = sqrt(scale(div(D, g), 1))
+
+    def each(theta, lanes):
+        return (t0.x,)
+
+    return each
+
+
+_DESCENT_TIME_FREE = Form(
+    sizes=("chord angle, idle", "positive", "positive"),
+    outputs=1,
+    positional=1,
+    arrays=_descent_time_free_arrays,
+    values=_descent_time_free_values,
+    scaled=_scaled_chord.descent_time_free,
+)
 
 
 def descent_time_free(theta, diameter, g):
@@ -22,19 +51,43 @@ def descent_time_free(theta, diameter, g):
     From stable.chord.descent_time.free, the stable form of chord.eq4.
     Operations: 1 div, 1 sqrt.
     """
-    arguments, void = admit(
-        (theta, "chord angle"),
-        (diameter, "positive"),
-        (g, "positive"),
-    )
-    theta, diameter, g = arguments
-    undecided_time = clash(((diameter,), (g,)))
-    with quiet():
-        D = load(diameter)
-        g = load(g)
-        t0 = sqrt(scale(div(D, g), 1))
-        time = t0
-    return settle(time, void, undecided_time)
+    return serve(_DESCENT_TIME_FREE, (theta, diameter, g))
+
+
+def _descent_time_friction_arrays(theta, diameter, g, mu, lanes):
+    D = load(diameter)
+    g = load(g)
+    mu = load(mu)
+    a = angle(theta)
+    C = cosine(a)
+    n = driving(a, mu, lanes)
+    t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+    return (lanes.rested(t0.x, inf),)
+
+
+def _descent_time_friction_values(diameter, g, mu):
+    D = load(diameter)
+    g = load(g)
+    mu = load(mu)
+
+    def each(theta, lanes):
+        a = angle(theta)
+        C = cosine(a)
+        n = driving(a, mu, lanes)
+        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+        return (lanes.rested(t0.x, inf),)
+
+    return each
+
+
+_DESCENT_TIME_FRICTION = Form(
+    sizes=("chord angle", "positive", "positive", "nonnegative"),
+    outputs=1,
+    positional=1,
+    arrays=_descent_time_friction_arrays,
+    values=_descent_time_friction_values,
+    scaled=_scaled_chord.descent_time_friction,
+)
 
 
 def descent_time_friction(theta, diameter, g, mu):
@@ -51,25 +104,40 @@ def descent_time_friction(theta, diameter, g, mu):
     From stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
     Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt.
     """
-    arguments, void = admit(
-        (theta, "chord angle"),
-        (diameter, "positive"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-    )
-    theta, diameter, g, mu = arguments
-    undecided_time = clash(((diameter,), (g,)))
-    with quiet():
-        D = load(diameter)
-        g = load(g)
-        mu = load(mu)
-        a = angle(theta)
-        C = cosine(a)
-        n = driving(a, mu)
-        n, rest = moving(n)
-        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
-        time = t0
-    return settle(time, void, undecided_time, rest=rest, at_rest=inf)
+    return serve(_DESCENT_TIME_FRICTION, (theta, diameter, g, mu))
+
+
+def _descent_time_drag_arrays(theta, diameter, g, gamma, lanes):
+    D = load(diameter)
+    g = load(g)
+    gamma = rate(gamma)
+    t0 = sqrt(scale(div(D, g), 1))
+    p = mul(gamma, t0)
+    return (mul(t0, descent_factor(p)).x,)
+
+
+def _descent_time_drag_values(diameter, g, gamma):
+    D = load(diameter)
+    g = load(g)
+    gamma = rate(gamma)
+    t0 = sqrt(scale(div(D, g), 1))
+    p = mul(gamma, t0)
+    once1 = mul(t0, descent_factor(p))
+
+    def each(theta, lanes):
+        return (once1.x,)
+
+    return each
+
+
+_DESCENT_TIME_DRAG = Form(
+    sizes=("chord angle, idle", "positive", "positive", "rate"),
+    outputs=1,
+    positional=1,
+    arrays=_descent_time_drag_arrays,
+    values=_descent_time_drag_values,
+    scaled=_scaled_chord.descent_time_drag,
+)
 
 
 def descent_time_drag(theta, diameter, g, gamma):
@@ -86,22 +154,47 @@ def descent_time_drag(theta, diameter, g, gamma):
     From stable.chord.descent_time.drag, the stable form of chord.eq36.
     Operations: 1 div, 2 mul, 1 sqrt, 1 table.
     """
-    arguments, void = admit(
-        (theta, "chord angle"),
-        (diameter, "positive"),
-        (g, "positive"),
-        (gamma, "nonnegative"),
-    )
-    theta, diameter, g, gamma = arguments
-    undecided_time = clash(((diameter, gamma), (g,)))
-    with quiet():
-        D = load(diameter)
-        g = load(g)
-        gamma = load(gamma)
-        t0 = sqrt(scale(div(D, g), 1))
+    return serve(_DESCENT_TIME_DRAG, (theta, diameter, g, gamma))
+
+
+def _descent_time_friction_drag_arrays(theta, diameter, g, mu, gamma, lanes):
+    D = load(diameter)
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+    a = angle(theta)
+    C = cosine(a)
+    n = driving(a, mu, lanes)
+    t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+    p = mul(gamma, t0)
+    return (lanes.rested(mul(t0, descent_factor(p)).x, inf),)
+
+
+def _descent_time_friction_drag_values(diameter, g, mu, gamma):
+    D = load(diameter)
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+
+    def each(theta, lanes):
+        a = angle(theta)
+        C = cosine(a)
+        n = driving(a, mu, lanes)
+        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
         p = mul(gamma, t0)
-        time = mul(t0, descent_factor(p))
-    return settle(time, void, undecided_time)
+        return (lanes.rested(mul(t0, descent_factor(p)).x, inf),)
+
+    return each
+
+
+_DESCENT_TIME_FRICTION_DRAG = Form(
+    sizes=("chord angle", "positive", "positive", "nonnegative", "rate"),
+    outputs=1,
+    positional=1,
+    arrays=_descent_time_friction_drag_arrays,
+    values=_descent_time_friction_drag_values,
+    scaled=_scaled_chord.descent_time_friction_drag,
+)
 
 
 def descent_time_friction_drag(theta, diameter, g, mu, gamma):
@@ -119,28 +212,39 @@ def descent_time_friction_drag(theta, diameter, g, mu, gamma):
     From stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
     Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table.
     """
-    arguments, void = admit(
-        (theta, "chord angle"),
-        (diameter, "positive"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-        (gamma, "nonnegative"),
-    )
-    theta, diameter, g, mu, gamma = arguments
-    undecided_time = clash(((diameter, gamma), (g,)))
-    with quiet():
-        D = load(diameter)
-        g = load(g)
-        mu = load(mu)
-        gamma = load(gamma)
+    return serve(_DESCENT_TIME_FRICTION_DRAG, (theta, diameter, g, mu, gamma))
+
+
+def _distance_free_arrays(t, theta, g, lanes):
+    t = load(t)
+    g = load(g)
+    fall = mul(mul(t, t), g)
+    a = angle(theta)
+    C = cosine(a)
+    return (scale(mul(fall, C), -1).x,)
+
+
+def _distance_free_values(g):
+    g = load(g)
+
+    def each(t, theta, lanes):
+        t = load(t)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
         C = cosine(a)
-        n = driving(a, mu)
-        n, rest = moving(n)
-        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
-        p = mul(gamma, t0)
-        time = mul(t0, descent_factor(p))
-    return settle(time, void, undecided_time, rest=rest, at_rest=inf)
+        return (scale(mul(fall, C), -1).x,)
+
+    return each
+
+
+_DISTANCE_FREE = Form(
+    sizes=("nonnegative", "chord angle", "positive"),
+    outputs=1,
+    positional=2,
+    arrays=_distance_free_arrays,
+    values=_distance_free_values,
+    scaled=_scaled_chord.distance_free,
+)
 
 
 def distance_free(t, theta, g):
@@ -156,20 +260,41 @@ def distance_free(t, theta, g):
     From stable.chord.distance.free, the stable form of chord.eq1.
     Operations: 3 mul, 1 sine and cosine.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-    )
-    t, theta, g = arguments
-    with quiet():
+    return serve(_DISTANCE_FREE, (t, theta, g))
+
+
+def _distance_friction_arrays(t, theta, g, mu, lanes):
+    t = load(t)
+    g = load(g)
+    mu = load(mu)
+    fall = mul(mul(t, t), g)
+    a = angle(theta)
+    n = driving(a, mu, lanes)
+    return (lanes.rested(scale(mul(fall, n), -1).x, 0.0),)
+
+
+def _distance_friction_values(g, mu):
+    g = load(g)
+    mu = load(mu)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
         fall = mul(mul(t, t), g)
         a = angle(theta)
-        C = cosine(a)
-        distance = scale(mul(fall, C), -1)
-    return settle(distance, void)
+        n = driving(a, mu, lanes)
+        return (lanes.rested(scale(mul(fall, n), -1).x, 0.0),)
+
+    return each
+
+
+_DISTANCE_FRICTION = Form(
+    sizes=("nonnegative", "chord angle", "positive", "nonnegative"),
+    outputs=1,
+    positional=2,
+    arrays=_distance_friction_arrays,
+    values=_distance_friction_values,
+    scaled=_scaled_chord.distance_friction,
+)
 
 
 def distance_friction(t, theta, g, mu):
@@ -186,23 +311,43 @@ def distance_friction(t, theta, g, mu):
     From stable.chord.distance.friction, the stable form of chord.eq15.
     Operations: 1 driving force, 3 mul, 1 sine and cosine.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-    )
-    t, theta, g, mu = arguments
-    with quiet():
+    return serve(_DISTANCE_FRICTION, (t, theta, g, mu))
+
+
+def _distance_drag_arrays(t, theta, g, gamma, lanes):
+    t = load(t)
+    g = load(g)
+    gamma = rate(gamma)
+    fall = mul(mul(t, t), g)
+    a = angle(theta)
+    C = cosine(a)
+    z = mul(t, gamma)
+    return (mul(mul(fall, C), phi2m(z)).x,)
+
+
+def _distance_drag_values(g, gamma):
+    g = load(g)
+    gamma = rate(gamma)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
-        mu = load(mu)
         fall = mul(mul(t, t), g)
         a = angle(theta)
-        n = driving(a, mu)
-        n, rest = moving(n)
-        distance = scale(mul(fall, n), -1)
-    return settle(distance, void, rest=rest, at_rest=0.0)
+        C = cosine(a)
+        z = mul(t, gamma)
+        return (mul(mul(fall, C), phi2m(z)).x,)
+
+    return each
+
+
+_DISTANCE_DRAG = Form(
+    sizes=("nonnegative", "chord angle", "positive", "rate"),
+    outputs=1,
+    positional=2,
+    arrays=_distance_drag_arrays,
+    values=_distance_drag_values,
+    scaled=_scaled_chord.distance_drag,
+)
 
 
 def distance_drag(t, theta, g, gamma):
@@ -219,24 +364,45 @@ def distance_drag(t, theta, g, gamma):
     From stable.chord.distance.drag, the stable form of chord.eq29.
     Operations: 5 mul, 1 sine and cosine, 1 table.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (gamma, "nonnegative"),
-    )
-    t, theta, g, gamma = arguments
-    undecided_distance = clash(((t, g), (gamma,)))
-    with quiet():
+    return serve(_DISTANCE_DRAG, (t, theta, g, gamma))
+
+
+def _distance_friction_drag_arrays(t, theta, g, mu, gamma, lanes):
+    t = load(t)
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+    fall = mul(mul(t, t), g)
+    a = angle(theta)
+    n = driving(a, mu, lanes)
+    z = mul(t, gamma)
+    return (lanes.rested(mul(mul(fall, n), phi2m(z)).x, 0.0),)
+
+
+def _distance_friction_drag_values(g, mu, gamma):
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
-        gamma = load(gamma)
         fall = mul(mul(t, t), g)
         a = angle(theta)
-        C = cosine(a)
+        n = driving(a, mu, lanes)
         z = mul(t, gamma)
-        distance = mul(mul(fall, C), phi2m(z))
-    return settle(distance, void, undecided_distance)
+        return (lanes.rested(mul(mul(fall, n), phi2m(z)).x, 0.0),)
+
+    return each
+
+
+_DISTANCE_FRICTION_DRAG = Form(
+    sizes=("nonnegative", "chord angle", "positive", "nonnegative", "rate"),
+    outputs=1,
+    positional=2,
+    arrays=_distance_friction_drag_arrays,
+    values=_distance_friction_drag_values,
+    scaled=_scaled_chord.distance_friction_drag,
+)
 
 
 def distance_friction_drag(t, theta, g, mu, gamma):
@@ -254,27 +420,37 @@ def distance_friction_drag(t, theta, g, mu, gamma):
     From stable.chord.distance.friction_drag, the stable form of chord.eq41.
     Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-        (gamma, "nonnegative"),
-    )
-    t, theta, g, mu, gamma = arguments
-    undecided_distance = clash(((t, g), (gamma,)))
-    with quiet():
+    return serve(_DISTANCE_FRICTION_DRAG, (t, theta, g, mu, gamma))
+
+
+def _speed_free_arrays(t, theta, g, lanes):
+    t = load(t)
+    g = load(g)
+    a = angle(theta)
+    C = cosine(a)
+    return (mul(mul(t, g), C).x,)
+
+
+def _speed_free_values(g):
+    g = load(g)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
-        mu = load(mu)
-        gamma = load(gamma)
-        fall = mul(mul(t, t), g)
         a = angle(theta)
-        n = driving(a, mu)
-        n, rest = moving(n)
-        z = mul(t, gamma)
-        distance = mul(mul(fall, n), phi2m(z))
-    return settle(distance, void, undecided_distance, rest=rest, at_rest=0.0)
+        C = cosine(a)
+        return (mul(mul(t, g), C).x,)
+
+    return each
+
+
+_SPEED_FREE = Form(
+    sizes=("nonnegative", "chord angle", "positive"),
+    outputs=1,
+    positional=2,
+    arrays=_speed_free_arrays,
+    values=_speed_free_values,
+    scaled=_scaled_chord.speed_free,
+)
 
 
 def speed_free(t, theta, g):
@@ -290,19 +466,39 @@ def speed_free(t, theta, g):
     From stable.chord.speed.free, the stable form of chord.eq1.
     Operations: 2 mul, 1 sine and cosine.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-    )
-    t, theta, g = arguments
-    with quiet():
+    return serve(_SPEED_FREE, (t, theta, g))
+
+
+def _speed_friction_arrays(t, theta, g, mu, lanes):
+    t = load(t)
+    g = load(g)
+    mu = load(mu)
+    a = angle(theta)
+    n = driving(a, mu, lanes)
+    return (lanes.rested(mul(mul(t, g), n).x, 0.0),)
+
+
+def _speed_friction_values(g, mu):
+    g = load(g)
+    mu = load(mu)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
         a = angle(theta)
-        C = cosine(a)
-        speed = mul(mul(t, g), C)
-    return settle(speed, void)
+        n = driving(a, mu, lanes)
+        return (lanes.rested(mul(mul(t, g), n).x, 0.0),)
+
+    return each
+
+
+_SPEED_FRICTION = Form(
+    sizes=("nonnegative", "chord angle", "positive", "nonnegative"),
+    outputs=1,
+    positional=2,
+    arrays=_speed_friction_arrays,
+    values=_speed_friction_values,
+    scaled=_scaled_chord.speed_friction,
+)
 
 
 def speed_friction(t, theta, g, mu):
@@ -319,22 +515,41 @@ def speed_friction(t, theta, g, mu):
     From stable.chord.speed.friction, the stable form of chord.eq15.
     Operations: 1 driving force, 2 mul, 1 sine and cosine.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-    )
-    t, theta, g, mu = arguments
-    with quiet():
+    return serve(_SPEED_FRICTION, (t, theta, g, mu))
+
+
+def _speed_drag_arrays(t, theta, g, gamma, lanes):
+    t = load(t)
+    g = load(g)
+    gamma = rate(gamma)
+    a = angle(theta)
+    C = cosine(a)
+    z = mul(t, gamma)
+    return (mul(mul(mul(t, g), C), phi1m(z)).x,)
+
+
+def _speed_drag_values(g, gamma):
+    g = load(g)
+    gamma = rate(gamma)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
-        mu = load(mu)
         a = angle(theta)
-        n = driving(a, mu)
-        n, rest = moving(n)
-        speed = mul(mul(t, g), n)
-    return settle(speed, void, rest=rest, at_rest=0.0)
+        C = cosine(a)
+        z = mul(t, gamma)
+        return (mul(mul(mul(t, g), C), phi1m(z)).x,)
+
+    return each
+
+
+_SPEED_DRAG = Form(
+    sizes=("nonnegative", "chord angle", "positive", "rate"),
+    outputs=1,
+    positional=2,
+    arrays=_speed_drag_arrays,
+    values=_speed_drag_values,
+    scaled=_scaled_chord.speed_drag,
+)
 
 
 def speed_drag(t, theta, g, gamma):
@@ -351,23 +566,43 @@ def speed_drag(t, theta, g, gamma):
     From stable.chord.speed.drag, the stable form of chord.eq29.
     Operations: 4 mul, 1 sine and cosine, 1 table.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (gamma, "nonnegative"),
-    )
-    t, theta, g, gamma = arguments
-    undecided_speed = clash(((g,), (gamma,)))
-    with quiet():
+    return serve(_SPEED_DRAG, (t, theta, g, gamma))
+
+
+def _speed_friction_drag_arrays(t, theta, g, mu, gamma, lanes):
+    t = load(t)
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+    a = angle(theta)
+    n = driving(a, mu, lanes)
+    z = mul(t, gamma)
+    return (lanes.rested(mul(mul(mul(t, g), n), phi1m(z)).x, 0.0),)
+
+
+def _speed_friction_drag_values(g, mu, gamma):
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
-        gamma = load(gamma)
         a = angle(theta)
-        C = cosine(a)
+        n = driving(a, mu, lanes)
         z = mul(t, gamma)
-        speed = mul(mul(mul(t, g), C), phi1m(z))
-    return settle(speed, void, undecided_speed)
+        return (lanes.rested(mul(mul(mul(t, g), n), phi1m(z)).x, 0.0),)
+
+    return each
+
+
+_SPEED_FRICTION_DRAG = Form(
+    sizes=("nonnegative", "chord angle", "positive", "nonnegative", "rate"),
+    outputs=1,
+    positional=2,
+    arrays=_speed_friction_drag_arrays,
+    values=_speed_friction_drag_values,
+    scaled=_scaled_chord.speed_friction_drag,
+)
 
 
 def speed_friction_drag(t, theta, g, mu, gamma):
@@ -385,26 +620,43 @@ def speed_friction_drag(t, theta, g, mu, gamma):
     From stable.chord.speed.friction_drag, the stable form of chord.eq41.
     Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-        (gamma, "nonnegative"),
-    )
-    t, theta, g, mu, gamma = arguments
-    undecided_speed = clash(((g,), (gamma,)))
-    with quiet():
+    return serve(_SPEED_FRICTION_DRAG, (t, theta, g, mu, gamma))
+
+
+def _position_free_arrays(t, theta, g, lanes):
+    t = load(t)
+    g = load(g)
+    fall = mul(mul(t, t), g)
+    a = angle(theta)
+    C = cosine(a)
+    shared = mul(fall, C)
+    S = sine(a)
+    return (scale(mul(shared, S), -1).x, scale(mul(shared, C), -1).x,)
+
+
+def _position_free_values(g):
+    g = load(g)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
-        mu = load(mu)
-        gamma = load(gamma)
+        fall = mul(mul(t, t), g)
         a = angle(theta)
-        n = driving(a, mu)
-        n, rest = moving(n)
-        z = mul(t, gamma)
-        speed = mul(mul(mul(t, g), n), phi1m(z))
-    return settle(speed, void, undecided_speed, rest=rest, at_rest=0.0)
+        C = cosine(a)
+        shared = mul(fall, C)
+        S = sine(a)
+        return (scale(mul(shared, S), -1).x, scale(mul(shared, C), -1).x,)
+
+    return each
+
+
+_POSITION_FREE = Form(
+    sizes=("nonnegative", "chord angle", "positive"),
+    outputs=2,
+    positional=2,
+    arrays=_position_free_arrays,
+    values=_position_free_values,
+    scaled=_scaled_chord.position_free,
+)
 
 
 def position_free(t, theta, g):
@@ -421,26 +673,47 @@ def position_free(t, theta, g):
     From stable.chord.position.free, the stable form of chord.eq5, chord.eq6.
     Operations: 5 mul, 1 sine and cosine.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-    )
-    t, theta, g = arguments
-    with quiet():
+    return serve(_POSITION_FREE, (t, theta, g))
+
+
+def _position_friction_arrays(t, theta, g, mu, lanes):
+    t = load(t)
+    g = load(g)
+    mu = load(mu)
+    fall = mul(mul(t, t), g)
+    a = angle(theta)
+    n = driving(a, mu, lanes)
+    shared = mul(fall, n)
+    S = sine(a)
+    C = cosine(a)
+    return (lanes.rested(scale(mul(shared, S), -1).x, 0.0), lanes.rested(scale(mul(shared, C), -1).x, 0.0),)
+
+
+def _position_friction_values(g, mu):
+    g = load(g)
+    mu = load(mu)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
         fall = mul(mul(t, t), g)
         a = angle(theta)
-        C = cosine(a)
-        shared = mul(fall, C)
+        n = driving(a, mu, lanes)
+        shared = mul(fall, n)
         S = sine(a)
-        x = scale(mul(shared, S), -1)
-        y = scale(mul(shared, C), -1)
-    return (
-        settle(x, void),
-        settle(y, void),
-    )
+        C = cosine(a)
+        return (lanes.rested(scale(mul(shared, S), -1).x, 0.0), lanes.rested(scale(mul(shared, C), -1).x, 0.0),)
+
+    return each
+
+
+_POSITION_FRICTION = Form(
+    sizes=("nonnegative", "chord angle", "positive", "nonnegative"),
+    outputs=2,
+    positional=2,
+    arrays=_position_friction_arrays,
+    values=_position_friction_values,
+    scaled=_scaled_chord.position_friction,
+)
 
 
 def position_friction(t, theta, g, mu):
@@ -458,30 +731,47 @@ def position_friction(t, theta, g, mu):
     From stable.chord.position.friction, the stable form of chord.eq19, chord.eq20.
     Operations: 1 driving force, 5 mul, 1 sine and cosine.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-    )
-    t, theta, g, mu = arguments
-    with quiet():
+    return serve(_POSITION_FRICTION, (t, theta, g, mu))
+
+
+def _position_drag_arrays(t, theta, g, gamma, lanes):
+    t = load(t)
+    g = load(g)
+    gamma = rate(gamma)
+    fall = mul(mul(t, t), g)
+    a = angle(theta)
+    C = cosine(a)
+    z = mul(t, gamma)
+    shared = mul(mul(fall, C), phi2m(z))
+    S = sine(a)
+    return (mul(shared, S).x, mul(shared, C).x,)
+
+
+def _position_drag_values(g, gamma):
+    g = load(g)
+    gamma = rate(gamma)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
-        mu = load(mu)
         fall = mul(mul(t, t), g)
         a = angle(theta)
-        n = driving(a, mu)
-        n, rest = moving(n)
-        shared = mul(fall, n)
-        S = sine(a)
         C = cosine(a)
-        x = scale(mul(shared, S), -1)
-        y = scale(mul(shared, C), -1)
-    return (
-        settle(x, void, rest=rest, at_rest=0.0),
-        settle(y, void, rest=rest, at_rest=0.0),
-    )
+        z = mul(t, gamma)
+        shared = mul(mul(fall, C), phi2m(z))
+        S = sine(a)
+        return (mul(shared, S).x, mul(shared, C).x,)
+
+    return each
+
+
+_POSITION_DRAG = Form(
+    sizes=("nonnegative", "chord angle", "positive", "rate"),
+    outputs=2,
+    positional=2,
+    arrays=_position_drag_arrays,
+    values=_position_drag_values,
+    scaled=_scaled_chord.position_drag,
+)
 
 
 def position_drag(t, theta, g, gamma):
@@ -499,30 +789,51 @@ def position_drag(t, theta, g, gamma):
     From stable.chord.position.drag, the stable form of chord.setup, chord.eq29.
     Operations: 7 mul, 1 sine and cosine, 1 table.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (gamma, "nonnegative"),
-    )
-    t, theta, g, gamma = arguments
-    undecided_x = clash(((t, g), (gamma,)))
-    with quiet():
+    return serve(_POSITION_DRAG, (t, theta, g, gamma))
+
+
+def _position_friction_drag_arrays(t, theta, g, mu, gamma, lanes):
+    t = load(t)
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+    fall = mul(mul(t, t), g)
+    a = angle(theta)
+    n = driving(a, mu, lanes)
+    z = mul(t, gamma)
+    shared = mul(mul(fall, n), phi2m(z))
+    S = sine(a)
+    C = cosine(a)
+    return (lanes.rested(mul(shared, S).x, 0.0), lanes.rested(mul(shared, C).x, 0.0),)
+
+
+def _position_friction_drag_values(g, mu, gamma):
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+
+    def each(t, theta, lanes):
         t = load(t)
-        g = load(g)
-        gamma = load(gamma)
         fall = mul(mul(t, t), g)
         a = angle(theta)
-        C = cosine(a)
+        n = driving(a, mu, lanes)
         z = mul(t, gamma)
-        shared = mul(mul(fall, C), phi2m(z))
+        shared = mul(mul(fall, n), phi2m(z))
         S = sine(a)
-        x = mul(shared, S)
-        y = mul(shared, C)
-    return (
-        settle(x, void, undecided_x),
-        settle(y, void, undecided_x),
-    )
+        C = cosine(a)
+        return (lanes.rested(mul(shared, S).x, 0.0), lanes.rested(mul(shared, C).x, 0.0),)
+
+    return each
+
+
+_POSITION_FRICTION_DRAG = Form(
+    sizes=("nonnegative", "chord angle", "positive", "nonnegative", "rate"),
+    outputs=2,
+    positional=2,
+    arrays=_position_friction_drag_arrays,
+    values=_position_friction_drag_values,
+    scaled=_scaled_chord.position_friction_drag,
+)
 
 
 def position_friction_drag(t, theta, g, mu, gamma):
@@ -541,34 +852,35 @@ def position_friction_drag(t, theta, g, mu, gamma):
     From stable.chord.position.friction_drag, the stable form of chord.setup, chord.eq41.
     Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (theta, "chord angle"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-        (gamma, "nonnegative"),
-    )
-    t, theta, g, mu, gamma = arguments
-    undecided_x = clash(((t, g), (gamma,)))
-    with quiet():
+    return serve(_POSITION_FRICTION_DRAG, (t, theta, g, mu, gamma))
+
+
+def _synchronous_circle_free_arrays(t, g, lanes):
+    t = load(t)
+    g = load(g)
+    fall = mul(mul(t, t), g)
+    return (constant(0.0).x, scale(fall, -2).x, scale(fall, -2).x,)
+
+
+def _synchronous_circle_free_values(g):
+    g = load(g)
+
+    def each(t, lanes):
         t = load(t)
-        g = load(g)
-        mu = load(mu)
-        gamma = load(gamma)
         fall = mul(mul(t, t), g)
-        a = angle(theta)
-        n = driving(a, mu)
-        n, rest = moving(n)
-        z = mul(t, gamma)
-        shared = mul(mul(fall, n), phi2m(z))
-        S = sine(a)
-        C = cosine(a)
-        x = mul(shared, S)
-        y = mul(shared, C)
-    return (
-        settle(x, void, undecided_x, rest=rest, at_rest=0.0),
-        settle(y, void, undecided_x, rest=rest, at_rest=0.0),
-    )
+        return (constant(0.0).x, scale(fall, -2).x, scale(fall, -2).x,)
+
+    return each
+
+
+_SYNCHRONOUS_CIRCLE_FREE = Form(
+    sizes=("nonnegative", "positive"),
+    outputs=3,
+    positional=1,
+    arrays=_synchronous_circle_free_arrays,
+    values=_synchronous_circle_free_values,
+    scaled=_scaled_chord.synchronous_circle_free,
+)
 
 
 def synchronous_circle_free(t, g):
@@ -585,23 +897,38 @@ def synchronous_circle_free(t, g):
     From stable.chord.synchronous_circle.free, the stable form of chord.eq9, chord.eq10.
     Operations: 2 mul.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (g, "positive"),
-    )
-    t, g = arguments
-    with quiet():
+    return serve(_SYNCHRONOUS_CIRCLE_FREE, (t, g))
+
+
+def _synchronous_circle_friction_arrays(t, g, mu, lanes):
+    t = load(t)
+    g = load(g)
+    mu = load(mu)
+    fall = mul(mul(t, t), g)
+    return (scale(mul(mu, fall), -2).x, scale(fall, -2).x, mul(sqrt(add(constant(1.0), mul(mu, mu))), scale(fall, -2)).x,)
+
+
+def _synchronous_circle_friction_values(g, mu):
+    g = load(g)
+    mu = load(mu)
+    once1 = sqrt(add(constant(1.0), mul(mu, mu)))
+
+    def each(t, lanes):
         t = load(t)
-        g = load(g)
         fall = mul(mul(t, t), g)
-        X = constant(0.0)
-        Y = scale(fall, -2)
-        R = scale(fall, -2)
-    return (
-        settle(X, void),
-        settle(Y, void),
-        settle(R, void),
-    )
+        return (scale(mul(mu, fall), -2).x, scale(fall, -2).x, mul(once1, scale(fall, -2)).x,)
+
+    return each
+
+
+_SYNCHRONOUS_CIRCLE_FRICTION = Form(
+    sizes=("nonnegative", "positive", "nonnegative"),
+    outputs=3,
+    positional=1,
+    arrays=_synchronous_circle_friction_arrays,
+    values=_synchronous_circle_friction_values,
+    scaled=_scaled_chord.synchronous_circle_friction,
+)
 
 
 def synchronous_circle_friction(t, g, mu):
@@ -619,25 +946,41 @@ def synchronous_circle_friction(t, g, mu):
     From stable.chord.synchronous_circle.friction, the stable form of chord.eq21, chord.eq22.
     Operations: 1 add, 5 mul, 1 sqrt.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-    )
-    t, g, mu = arguments
-    with quiet():
+    return serve(_SYNCHRONOUS_CIRCLE_FRICTION, (t, g, mu))
+
+
+def _synchronous_circle_drag_arrays(t, g, gamma, lanes):
+    t = load(t)
+    g = load(g)
+    gamma = rate(gamma)
+    fall = mul(mul(t, t), g)
+    z = mul(t, gamma)
+    shared = mul(fall, phi2m(z))
+    return (constant(0.0).x, scale(shared, -1).x, scale(shared, -1).x,)
+
+
+def _synchronous_circle_drag_values(g, gamma):
+    g = load(g)
+    gamma = rate(gamma)
+
+    def each(t, lanes):
         t = load(t)
-        g = load(g)
-        mu = load(mu)
         fall = mul(mul(t, t), g)
-        X = scale(mul(mu, fall), -2)
-        Y = scale(fall, -2)
-        R = mul(sqrt(add(constant(1.0), mul(mu, mu))), scale(fall, -2))
-    return (
-        settle(X, void),
-        settle(Y, void),
-        settle(R, void),
-    )
+        z = mul(t, gamma)
+        shared = mul(fall, phi2m(z))
+        return (constant(0.0).x, scale(shared, -1).x, scale(shared, -1).x,)
+
+    return each
+
+
+_SYNCHRONOUS_CIRCLE_DRAG = Form(
+    sizes=("nonnegative", "positive", "rate"),
+    outputs=3,
+    positional=1,
+    arrays=_synchronous_circle_drag_arrays,
+    values=_synchronous_circle_drag_values,
+    scaled=_scaled_chord.synchronous_circle_drag,
+)
 
 
 def synchronous_circle_drag(t, g, gamma):
@@ -655,28 +998,44 @@ def synchronous_circle_drag(t, g, gamma):
     From stable.chord.synchronous_circle.drag, the stable form of chord.eq31, chord.eq32.
     Operations: 4 mul, 1 table.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (g, "positive"),
-        (gamma, "nonnegative"),
-    )
-    t, g, gamma = arguments
-    undecided_Y = clash(((t, g), (gamma,)))
-    with quiet():
+    return serve(_SYNCHRONOUS_CIRCLE_DRAG, (t, g, gamma))
+
+
+def _synchronous_circle_friction_drag_arrays(t, g, mu, gamma, lanes):
+    t = load(t)
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+    fall = mul(mul(t, t), g)
+    z = mul(t, gamma)
+    shared = mul(fall, phi2m(z))
+    return (scale(mul(mu, shared), -1).x, scale(shared, -1).x, mul(sqrt(add(constant(1.0), mul(mu, mu))), scale(shared, -1)).x,)
+
+
+def _synchronous_circle_friction_drag_values(g, mu, gamma):
+    g = load(g)
+    mu = load(mu)
+    gamma = rate(gamma)
+    once1 = sqrt(add(constant(1.0), mul(mu, mu)))
+
+    def each(t, lanes):
         t = load(t)
-        g = load(g)
-        gamma = load(gamma)
         fall = mul(mul(t, t), g)
         z = mul(t, gamma)
         shared = mul(fall, phi2m(z))
-        X = constant(0.0)
-        Y = scale(shared, -1)
-        R = scale(shared, -1)
-    return (
-        settle(X, void),
-        settle(Y, void, undecided_Y),
-        settle(R, void, undecided_Y),
-    )
+        return (scale(mul(mu, shared), -1).x, scale(shared, -1).x, mul(once1, scale(shared, -1)).x,)
+
+    return each
+
+
+_SYNCHRONOUS_CIRCLE_FRICTION_DRAG = Form(
+    sizes=("nonnegative", "positive", "nonnegative", "rate"),
+    outputs=3,
+    positional=1,
+    arrays=_synchronous_circle_friction_drag_arrays,
+    values=_synchronous_circle_friction_drag_values,
+    scaled=_scaled_chord.synchronous_circle_friction_drag,
+)
 
 
 def synchronous_circle_friction_drag(t, g, mu, gamma):
@@ -695,32 +1054,22 @@ def synchronous_circle_friction_drag(t, g, mu, gamma):
     From stable.chord.synchronous_circle.friction_drag, the stable form of chord.eq45, chord.eq46, chord.eq47.
     Operations: 1 add, 7 mul, 1 sqrt, 1 table.
     """
-    arguments, void = admit(
-        (t, "nonnegative"),
-        (g, "positive"),
-        (mu, "nonnegative"),
-        (gamma, "nonnegative"),
-    )
-    t, g, mu, gamma = arguments
-    undecided_X = if_zero(mu, False, clash(((t, g, mu), (gamma,))))
-    undecided_Y = clash(((t, g), (gamma,)))
-    undecided_R = clash(((t, g, mu), (gamma,)))
-    with quiet():
-        t = load(t)
-        g = load(g)
-        mu = load(mu)
-        gamma = load(gamma)
-        fall = mul(mul(t, t), g)
-        z = mul(t, gamma)
-        shared = mul(fall, phi2m(z))
-        X = scale(mul(mu, shared), -1)
-        Y = scale(shared, -1)
-        R = mul(sqrt(add(constant(1.0), mul(mu, mu))), scale(shared, -1))
-    return (
-        settle(X, void, undecided_X),
-        settle(Y, void, undecided_Y),
-        settle(R, void, undecided_R),
-    )
+    return serve(_SYNCHRONOUS_CIRCLE_FRICTION_DRAG, (t, g, mu, gamma))
+
+
+def _max_angle_arrays(mu, lanes):
+    mu = load(mu)
+    return (acot(mu).x,)
+
+
+_MAX_ANGLE = Form(
+    sizes=("nonnegative",),
+    outputs=1,
+    positional=1,
+    arrays=_max_angle_arrays,
+    values=None,
+    scaled=_scaled_chord.max_angle,
+)
 
 
 def max_angle(mu):
@@ -734,14 +1083,7 @@ def max_angle(mu):
     From stable.chord.max_angle, the stable form of chord.eq13.
     Operations: 1 table.
     """
-    arguments, void = admit(
-        (mu, "nonnegative"),
-    )
-    mu, = arguments
-    with quiet():
-        mu = load(mu)
-        angle = acot(mu)
-    return settle(angle, void)
+    return serve(_MAX_ANGLE, (mu,))
 
 
 # Number of outputs, index of the angle among the arguments, the kernel for each set of force arguments;

@@ -3190,6 +3190,32 @@ def wright_omega_pair(x, x_lo):
     return op.paired(_WRIGHT_OMEGA, x, x_lo)
 
 
+# Forms by range, of all.
+PRIMITIVES = {
+    "phi1m": _PHI1M,
+    "phi2m": _PHI2M,
+    "descent_factor": _DESCENT_FACTOR,
+    "flight_factor": _FLIGHT_FACTOR,
+    "range_factor": _RANGE_FACTOR,
+    "best_sine": _BEST_SINE,
+    "best_angle": _BEST_ANGLE,
+    "max_range_factor": _MAX_RANGE_FACTOR,
+    "w0_offset": _W0_OFFSET,
+    "wm1_offset": _WM1_OFFSET,
+    "w0": _W0,
+    "wm1": _WM1,
+    "exp_minus": _EXP_MINUS,
+    "sin": _SIN,
+    "cos": _COS,
+    "arctan": _ARCTAN,
+    "exp_mantissa": _EXP_MANTISSA,
+    "exp_exponent": _EXP_EXPONENT,
+    "range_loss": _RANGE_LOSS,
+    "grown_balance": _GROWN_BALANCE,
+    "acot": _ACOT,
+    "wright_omega": _WRIGHT_OMEGA,
+}
+
 # As for the papers' functions; the kernels return the value and its rest.
 FUNCTIONS = {
     "phi1m": {"outputs": 1, "angle": None, "kernels": {(): phi1m}, "rest": True},

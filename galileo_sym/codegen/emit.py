@@ -25,6 +25,7 @@ from galileo_sym.codegen import (
     lanes,
     lean,
     numpy,
+    numpy_forms,
     numpy_kernels,
     numpy_steps,
     pairs,
@@ -44,14 +45,18 @@ _NUMPY_TEMPLATES = (
     "_elementary.py",
     "_elevation.py",
     "_excess.py",
+    "_factors.py",
     "_fading.py",
+    "_forms.py",
     "_kernel.py",
     "_launch.py",
     "_lines.py",
     "_near.py",
+    "_pairs.py",
     "_primitives.py",
     "_roots.py",
     "_scaled.py",
+    "_turn.py",
 )
 _C_TEMPLATES = (
     "branches.c",
@@ -114,10 +119,12 @@ def _sources():
     files["_tables.py"] = _python("the tables of galileo_sym.primitives", tables.numpy_tables())
     files["_pieces.py"] = _python("the coefficients of galileo_sym.primitives", numpy_kernels.pieces())
     files["_graphs.py"] = _python("the stable forms of both papers", graphs.module())
-    files["_steps.py"] = _python("the powers of 2", numpy_steps.module())
+    files["_steps.py"] = _python("sine, cosine and exponential", numpy_steps.module())
     files["special.py"] = _python("the frames of galileo_sym.primitives", numpy_kernels.special())
     for paper in _papers():
         files[f"{paper}.py"] = _python(f"the stable forms of {paper}", numpy.module(paper))
+        if scaled := numpy.scaled_module(paper):
+            files[f"{numpy_forms.scaled_module_name(paper)}.py"] = _python(f"the stable forms of {paper}", scaled)
         files[f"c/{paper}.c"] = _c(f"the stable forms of {paper}", c99.source(paper))
     header = _template("c/galileo.h").replace("@DECLARATIONS@\n", c99.declarations() + kernels.prototypes())
     files["c/galileo.h"] = _c("the catalogue", header)

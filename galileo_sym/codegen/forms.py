@@ -5,13 +5,13 @@ is emitted twice: with an array for every argument, and with one value for each 
 those alone is computed once.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
+from galileo_sym.codegen.hoisting import hoisted, operands_of
 from galileo_sym.codegen.printing import counts_text, sources_text
 from galileo_sym.codegen.schedule import schedule
 from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name
 
-_RATES = ("gamma", "k")  # they enter by factors that are 1 where they are small, so that 0 stands for the smallest
 _AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
 
 
@@ -86,61 +86,31 @@ SINGLE = Arithmetic(
 )
 
 
-def _operands(node):
-    """The operands of a node that are nodes."""
-    return () if isinstance(node, str) else tuple(o for o in node[1:] if isinstance(o, str | tuple))
+def is_rate(argument):
+    """Whether an argument enters by factors that are 1 where it is small, so that 0 stands for the smallest."""
+    return argument.name in ("gamma", "k")
 
 
-@dataclass
-class _Body:
-    """Lines that come before the loop, and those in it; the names of what varies."""
+def size_of(argument, turned):
+    """Return which test tells whether an argument is of ordinary size: a key of ``Arithmetic.ordinary``.
 
-    arithmetic: Arithmetic
-    varying: set
-    once: list = field(default_factory=list)
-    each: list = field(default_factory=list)
-    named: dict = field(default_factory=dict)
+    ``turned`` says whether the form has a sine or cosine; if not, an angle needs only be one.
+    """
+    return "rate" if is_rate(argument) else argument.domain + ", idle" * (argument.unit == "rad" and not turned)
 
-    def varies(self, node):
-        """Whether a node depends on an array."""
-        return node in self.varying if isinstance(node, str) else any(self.varies(o) for o in _operands(node))
 
-    def text(self, node):
-        """A node as nested calls; what in it does not vary gets a name before the loop."""
-        if isinstance(node, str):
-            return node
-        if not self.varies(node) and node[0] != "constant":
-            return self._before(node)
-        return self._call(node, [self.text(o) for o in _operands(node)], "good")
-
-    def _before(self, node):
-        if node not in self.named:
-            self.named[node] = f"once{len(self.named) + 1}"
-            self.once.append(f"    const {self.arithmetic.number} {self.named[node]} = {self._nested(node)};")
-        return self.named[node]
-
-    def _nested(self, node):
-        if isinstance(node, str):
-            return node
-        return self._call(node, [self._nested(o) for o in _operands(node)], "known")
-
-    def _call(self, node, operands, good):
-        prefix = self.arithmetic.prefix
-        if node[0] == "scale":
-            return f"{prefix}scaled({operands[0]}, {float(2) ** node[2]!r})"
-        if node[0] == "constant":
-            return f"{prefix}constant({node[1]!r})"
-        masks = [f"&{good if mask == 'good' else mask}" for mask in self.arithmetic.failing.get(node[0], ())]
-        return f"{prefix}{node[0]}({', '.join([*operands, *masks])})"
-
-    def assign(self, name, node):
-        """Add an assignment where it belongs."""
-        if self.varies(node):
-            kind = self.arithmetic.turn if node[0] == "angle" else self.arithmetic.number
-            self.each.append(f"        const {kind} {name} = {self.text(node)};")
-            self.varying.add(name)
-        else:
-            self.once.append(f"    const {self.arithmetic.number} {name} = {self._nested(node)};")
+def _call_text(node, arithmetic, good):
+    """A node as nested calls; good is the mask of lanes that its operations may change."""
+    if isinstance(node, str):
+        return node
+    prefix = arithmetic.prefix
+    if node[0] == "constant":
+        return f"{prefix}constant({node[1]!r})"
+    operands = [_call_text(operand, arithmetic, good) for operand in operands_of(node)]
+    if node[0] == "scale":
+        return f"{prefix}scaled({operands[0]}, {float(2) ** node[2]!r})"
+    masks = [f"&{good if mask == 'good' else mask}" for mask in arithmetic.failing.get(node[0], ())]
+    return f"{prefix}{node[0]}({', '.join([*operands, *masks])})"
 
 
 class _Form:
@@ -174,23 +144,35 @@ class _Form:
         return [f"gs_mask {name} = {tests[0]};"] + [f"{name} = gs_both({name}, {test});" for test in tests[1:]]
 
     def _test(self, argument):
-        domain = "rate" if argument.name in _RATES else argument.domain
-        idle = argument.unit == "rad" and not self.turned
-        return self.arithmetic.ordinary[domain + ", idle" * idle].format(f"{argument.name}_here")
+        return self.arithmetic.ordinary[size_of(argument, self.turned)].format(f"{argument.name}_here")
 
     def loads(self, arguments, mask):
         """Lines that take arguments as numbers: 1 in lanes that are not served."""
         lines = []
         for a in (a for a in arguments if a.symbol in self.plan.loads):
-            taken = self.arithmetic.rate if a.name in _RATES else self.arithmetic.taken
+            taken = self.arithmetic.rate if is_rate(a) else self.arithmetic.taken
             number = taken.format(f"gs_select({mask}, {a.name}_here, one)")
             lines.append(f"const {self.arithmetic.number} {a.symbol} = {number};")
         turned = self.turned and any(a.name == "theta" for a in arguments)
         return lines + ["const gs_v theta_used = gs_select(good, theta_here, one);"] * turned
 
-    def results(self, body):
+    def hoisted(self):
+        """The operations, divided; an angle is that of the lanes that are served."""
+        steps = [(name, ("angle", "theta_used") if node[0] == "angle" else node) for name, node in self.plan.steps]
+        varying = {a.symbol for a in self.arrays if a.symbol in self.plan.loads} | {"theta_used"}
+        return hoisted(steps, self.plan.results, varying)
+
+    def assignments(self, steps, good):
+        """Lines that give nodes their names."""
+        kinds = {"angle": self.arithmetic.turn}
+        return [
+            f"const {kinds.get(node[0], self.arithmetic.number)} {name} = {_call_text(node, self.arithmetic, good)};"
+            for name, node in steps
+        ]
+
+    def results(self, nodes):
         """Lines that name the outputs."""
-        results = [self.arithmetic.value.format(body.text(node)) for node in self.plan.results]
+        results = [self.arithmetic.value.format(_call_text(node, self.arithmetic, "good")) for node in nodes]
         if self.held:
             rests = [_AT_REST[o.at_rest] for o in self.function.outputs]
             results = [f"gs_select(held, {rest}, {r})" for rest, r in zip(rests, results, strict=True)]
@@ -258,10 +240,7 @@ def definition(function, force_set, shape, arithmetic):
         ``DOUBLE`` or ``SINGLE``.
     """
     form = _Form(function, force_set, shape, arithmetic)
-    body = _Body(arithmetic, {a.symbol for a in form.arrays if a.symbol in form.plan.loads} | {"theta_used"})
-    for name, node in form.plan.steps:
-        body.assign(name, ("angle", "theta_used") if node[0] == "angle" else node)
-    results = form.results(body)
+    parts = form.hoisted()
     known = ["known"] if form.values else []
     lines = [
         *form.head(),
@@ -271,7 +250,7 @@ def definition(function, force_set, shape, arithmetic):
         *_indented(1, [f"const gs_v {a.name}_here = gs_v_of({a.name}_in);" for a in form.values]),
         *_indented(1, form.masks("known", [], form.values) if form.values else []),
         *_indented(1, form.loads(form.values, "known")),
-        *body.once,
+        *_indented(1, form.assignments(parts.before, "known")),
         "    while (count > 0) {",
         "        const size_t here = count < GS_LANES ? count : GS_LANES;",
         *_indented(2, form.pads()),
@@ -279,8 +258,8 @@ def definition(function, force_set, shape, arithmetic):
         *_indented(2, form.masks("good", known, form.arrays)),
         *_indented(2, form.loads(form.arrays, "good")),
         *_indented(2, ["gs_mask held;"] * form.held),
-        *body.each,
-        *_indented(2, results),
+        *_indented(2, form.assignments(parts.each, "good")),
+        *_indented(2, form.results(parts.results)),
         *_indented(2, form.handed_on()),
         *_indented(2, form.stores()),
         "    }",

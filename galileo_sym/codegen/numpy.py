@@ -1,14 +1,11 @@
-"""The NumPy back end: one module a paper, importing NumPy alone."""
+"""The NumPy back end: two modules a paper, of its functions and of their scaled kernels, importing NumPy alone."""
+
+import re
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.printing import (
-    PRIMITIVE_TEXT,
-    ROUTINE_TEXT,
-    call_text,
-    counts_text,
-    sources_text,
-    undecided_text,
-)
+from galileo_sym.codegen.lanes import in_lanes
+from galileo_sym.codegen.numpy_forms import docstring, form, kernel_name, scaled_module_name
+from galileo_sym.codegen.printing import PRIMITIVE_TEXT, ROUTINE_TEXT, call_text, counts_text, undecided_text
 from galileo_sym.codegen.schedule import TABLE_CALLS, balance_name, schedule
 from galileo_sym.solvers import SOLVERS
 
@@ -16,6 +13,14 @@ _SCALED = ("add", "constant", "div", "load", "mul", "scale", "sqrt", "sub")
 _ANGLE = ("angle", "cosine", "driving", "sine")
 _DECIDED = "False"
 _KERNEL = ("admit", "at_most", "clash", "idle", "if_zero", "moving", "quiet", "settle", "within")
+_FORM_MODULES = {
+    "_chunks": ("in_chunks",),
+    "_factors": (*TABLE_CALLS, "phi0m", "range_balance"),
+    "_forms": ("Form", "serve"),
+    "_kernel": ("quiet",),
+    "_pairs": (*_SCALED, "rate"),
+    "_turn": _ANGLE,
+}
 _MODULES = {
     "_angle": _ANGLE,
     "_decay": ("decay", "fading", "first", "second"),
@@ -25,20 +30,6 @@ _MODULES = {
     "_primitives": TABLE_CALLS,
     "_scaled": _SCALED,
 }
-
-
-def _kernel_name(function, force_set):
-    return f"{function.name}_{force_set}" if force_set else function.name
-
-
-def _docstring(function, force_set, operations):
-    arguments = "\n".join(f"    {a.name} [{a.unit}]: {a.doc}" for a in function.arguments(force_set))
-    results = "\n".join(f"    {o.name} [{o.unit}]: {o.doc}" for o in function.outputs)
-    return (
-        f'    """{function.doc}\n\n{arguments}\n\n    Returns\n{results}\n\n'
-        f"    From {sources_text(function, force_set)}.\n"
-        f'    {operations}\n    """\n'
-    )
 
 
 def _clash_text(pairs):
@@ -69,19 +60,30 @@ def _settle(output, undecided, held):
 
 def _routine_kernel(function, force_set):
     """A kernel that hands over to a function of the templates."""
-    names = ", ".join(a.name for a in function.arguments(force_set))
+    return _chunked(function, force_set, ROUTINE_TEXT, f"_{function.routine}")
+
+
+def _chunked(function, force_set, operations, evaluate):
+    """A kernel that hands over to another function, chunk by chunk; with the largest value that is told, if any."""
+    names = [a.name for a in function.arguments(force_set)]
+    most = ""
+    if function.ceiling:
+        others = ", ".join(name for name in names if name != function.ceiling.argument)
+        told = kernel_name(FUNCTIONS[f"{function.paper}.{function.ceiling.most}"], force_set)
+        most = f"    with quiet():\n        most = {told}({others})\n"
+    passed = [*names, *(["most"] if most else [])]
     return (
-        f"def {_kernel_name(function, force_set)}({names}):\n"
-        f"{_docstring(function, force_set, ROUTINE_TEXT)}    return _{function.routine}({names})\n"
+        f"def {kernel_name(function, force_set)}({', '.join(names)}):\n{docstring(function, force_set, operations)}"
+        f"{most}    return in_chunks({evaluate}, ({', '.join(passed)}), {len(function.outputs)})\n"
     )
 
 
 def _primitive_kernel(function, force_set):
     """A kernel that is a primitive; its rest is dropped."""
     (argument,) = (a.name for a in function.arguments(force_set))
-    doc = _docstring(function, force_set, PRIMITIVE_TEXT.format(function.primitive))
+    doc = docstring(function, force_set, PRIMITIVE_TEXT.format(function.primitive))
     return (
-        f"def {_kernel_name(function, force_set)}({argument}):\n"
+        f"def {kernel_name(function, force_set)}({argument}):\n"
         f"{doc}    return special.{function.primitive}({argument})[0]\n"
     )
 
@@ -100,9 +102,8 @@ def _balance(name, plan, unknown):
 
 
 def _limit(function, limit):
-    """Lines that take out the lanes where the argument is beyond its largest value, or at it."""
+    """Lines that take out the lanes where the argument is beyond its largest value, which is given, or at it."""
     return [
-        f"        most = {call_text(limit.most, '')}",
         f"    void, full = within({function.ceiling.argument}_in, most, void)",
         "    with quiet():",
         f"        there = {call_text(limit.there, '')}",
@@ -111,7 +112,7 @@ def _limit(function, limit):
 
 
 def kernel(function, force_set):
-    """Return the source of one kernel.
+    """Return the source of one kernel on scaled pairs.
 
     Parameters
     ----------
@@ -124,10 +125,6 @@ def kernel(function, force_set):
     str
         A Python function of float64 arrays.
     """
-    if function.routine:
-        return _routine_kernel(function, force_set)
-    if function.primitive:
-        return _primitive_kernel(function, force_set)
     plan = schedule(function, force_set)
     held = any(node[0] == "driving" for _, node in plan.steps)
     arguments = function.arguments(force_set)
@@ -135,8 +132,8 @@ def kernel(function, force_set):
     symbols = {a.symbol: a.name for a in arguments}
     clashes, undecided = _undecided(function, force_set)
     lines = [
-        f"def {_kernel_name(function, force_set)}({', '.join(names)}):",
-        _docstring(function, force_set, f"Operations: {counts_text(plan)}.").rstrip("\n"),
+        f"def {kernel_name(function, force_set)}({', '.join([*names, *(['most'] if plan.limit else [])])}):",
+        docstring(function, force_set, f"Operations: {counts_text(plan)}.").rstrip("\n"),
         "    arguments, void = admit(",
         *(f'        ({a.name}, "{a.domain}"),' for a in arguments),
         "    )",
@@ -171,7 +168,7 @@ def kernel(function, force_set):
 def _kernels(function, indent):
     """Rows of a table of kernels by force arguments."""
     return "".join(
-        f"{indent}{names!r}: {_kernel_name(function, force_set)},\n"
+        f"{indent}{names!r}: {kernel_name(function, force_set)},\n"
         for force_set, (names, _) in function.variants.items()
     )
 
@@ -200,23 +197,51 @@ def _dispatch(function):
     )
 
 
+def _imports(modules, text):
+    """Import lines for the names that a text uses."""
+    return "".join(
+        f"from .{source} import {', '.join(used)}\n"
+        for source, names in sorted(modules.items())
+        if (used := [name for name in sorted(names) if f"{name}(" in text])
+    )
+
+
+def _infinity(text):
+    return "from math import inf\n\n" if re.search(r"\binf\b", text) else ""
+
+
+def scaled_module(paper):
+    """Return the source of one paper's kernels on scaled pairs; "" if it has none."""
+    functions = [f for f in FUNCTIONS.values() if f.paper == paper and not (f.routine or f.primitive)]
+    text = "\n\n".join(kernel(f, force_set) for f in functions for force_set in f.variants)
+    head = f'"""Kernels of the {paper} formulas on scaled pairs, for numbers of any size."""\n\n{_infinity(text)}'
+    return f"{head}{_imports(_MODULES, text)}\n\n{text}" if text else ""
+
+
+def _public_kernel(function, force_set):
+    """The kernel of the table: what it is made of depends on the function."""
+    if function.routine:
+        return _routine_kernel(function, force_set)
+    if function.primitive:
+        return _primitive_kernel(function, force_set)
+    if in_lanes(function):
+        return form(function, force_set)
+    evaluate = f"{scaled_module_name(function.paper)}.{kernel_name(function, force_set)}"
+    return _chunked(function, force_set, f"Operations: {counts_text(schedule(function, force_set))}.", evaluate)
+
+
 def module(paper):
     """Return the source of one paper's module."""
     functions = [f for f in FUNCTIONS.values() if f.paper == paper]
-    kernels = [kernel(f, force_set) for f in functions for force_set in f.variants]
-    text = "\n\n".join(kernels)
-    imports = "".join(
-        f"from .{source} import {', '.join(used)}\n"
-        for source, names in _MODULES.items()
-        if (used := [name for name in sorted(names) if f"{name}(" in text])
-    )
+    text = "\n\n".join(_public_kernel(f, force_set) for f in functions for force_set in f.variants)
     sources = {f"_{f.routine.split('.')[0]}" for f in functions if f.routine}
-    sources = sorted(sources | {"special" for f in functions if f.primitive})
-    imports += f"from . import {', '.join(sources)}\n" if sources else ""
-    infinity = "from math import inf\n\n" if "=inf" in text else ""
+    sources |= {"special" for f in functions if f.primitive} | {
+        scaled_module_name(paper) for f in functions if not (f.routine or f.primitive)
+    }
+    imports = _imports(_FORM_MODULES, text) + f"from . import {', '.join(sorted(sources))}\n"
     table = "".join(_dispatch(f) for f in functions)
     return (
-        f'"""Kernels of the {paper} formulas on float64 arrays."""\n\n{infinity}{imports}\n\n{text}\n\n'
+        f'"""Kernels of the {paper} formulas on float64 arrays."""\n\n{_infinity(text)}{imports}\n\n{text}\n\n'
         "# Number of outputs, index of the angle among the arguments, the kernel for each set of force arguments;\n"
         "# if an argument has a largest value, its index and the kernels of that value.\n"
         f"FUNCTIONS = {{\n{table}}}\n"

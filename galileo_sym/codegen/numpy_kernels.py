@@ -122,6 +122,8 @@ def special():
     rows = "".join(
         f'    "{n}": {{"outputs": 1, "angle": None, "kernels": {{(): {n}}}, "rest": True}},\n' for n in KERNELS
     )
+    forms = "".join(f'    "{n}": _{n.upper()},\n' for n in PAIRS)
+    body += f"# Forms by range, of all.\nPRIMITIVES = {{\n{forms}}}\n\n"
     body += f"# As for the papers' functions; the kernels return the value and its rest.\nFUNCTIONS = {{\n{rows}}}\n"
     return (
         '"""The primitives on float64 arrays, as pairs: the nearest double but for a little, and the rest.\n\n'

@@ -60,3 +60,22 @@ def _ranges(rng, n, r, v, g, k=0.0):
     exponent = 2 * np.log10(v) - np.log10(g + k * v)
     share = np.choose(rng.integers(0, 2, n), [np.minimum(r, 1.0), 1 - 10.0 ** rng.uniform(-9, 0, n)])
     return share * 10.0 ** np.clip(exponent - 1e-9, -290, 300)
+
+
+def awkward(function, force_set, n, seed, dtype):
+    """Ordinary arguments with others strewn among them: 0, tiny, huge, infinite, NaN, beyond the domain."""
+    rng = np.random.default_rng(seed)
+    odd = np.array([0.0, -0.0, 5e-324, 1e-300, 1e-200, 1e-31, 1e31, 1e200, 1e308, np.inf, np.nan, -1.0, np.pi / 2, 2.0])
+    values = []
+    for value in arguments(function, force_set, n, 8, seed=seed).values():
+        struck = rng.random(n) < 0.06
+        with np.errstate(over="ignore", under="ignore"):
+            values.append(np.where(struck, rng.choice(odd, n), value).astype(dtype))
+    return values
+
+
+def plain_results(results, least):
+    """Where all results are finite and far from the smallest numbers: these raise no flag, nor does a constant 0."""
+    sizes = np.abs(results)
+    sizes = sizes[sizes.max(axis=1) > 0]
+    return np.all((sizes > least) & (sizes < 1 / least), axis=0)

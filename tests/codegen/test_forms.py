@@ -6,7 +6,7 @@ import platform
 import compiled
 import numpy as np
 import pytest
-from samples import arguments
+from samples import arguments, awkward, plain_results
 
 from galileo_sym import _backend
 from galileo_sym.codegen.kernels import runnable
@@ -44,25 +44,6 @@ def run(library, function, force_set, shape, values, ending=""):
     return results
 
 
-def awkward(function, force_set, seed, dtype):
-    """Ordinary arguments with others strewn among them: 0, tiny, huge, infinite, NaN, beyond the domain."""
-    rng = np.random.default_rng(seed)
-    odd = np.array([0.0, -0.0, 5e-324, 1e-300, 1e-200, 1e-31, 1e31, 1e200, 1e308, np.inf, np.nan, -1.0, np.pi / 2, 2.0])
-    values = []
-    for value in arguments(function, force_set, COUNT, 8, seed=seed).values():
-        struck = rng.random(COUNT) < 0.06
-        with np.errstate(over="ignore", under="ignore"):
-            values.append(np.where(struck, rng.choice(odd, COUNT), value).astype(dtype))
-    return values
-
-
-def plain_results(results, least):
-    """Where all results are finite and far from the smallest numbers: these raise no flag, nor does a constant 0."""
-    sizes = np.abs(results)
-    sizes = sizes[sizes.max(axis=1) > 0]
-    return np.all((sizes > least) & (sizes < 1 / least), axis=0)
-
-
 def _same(results, others):
     return all(a.tobytes() == b.tobytes() for a, b in zip(results, others, strict=True))
 
@@ -72,7 +53,7 @@ def _same(results, others):
 @each_form
 def test_every_version_and_shape_gives_the_same_bits(compiler, function, force_set, dtype):
     library = compiled.library(compiler)
-    values = awkward(function, force_set, 1, dtype)
+    values = awkward(function, force_set, COUNT, 1, dtype)
     keywords = len(function.positional)
     for shape in shapes(function):
         given = values
@@ -87,7 +68,7 @@ def test_every_version_and_shape_gives_the_same_bits(compiler, function, force_s
 @each_form
 def test_single_numbers_and_short_arrays_give_the_same_bits(function, force_set, dtype):
     library = compiled.library()
-    values = awkward(function, force_set, 2, dtype)
+    values = awkward(function, force_set, COUNT, 2, dtype)
     whole = run(library, function, force_set, ARRAYS, values)
     for length in [*range(1, 18), 31]:
         part = run(library, function, force_set, ARRAYS, [np.ascontiguousarray(v[:length]) for v in values])
@@ -107,7 +88,7 @@ def test_single_numbers_and_short_arrays_give_the_same_bits(function, force_set,
 @each_form
 def test_a_result_may_take_the_place_of_an_argument(function, force_set, dtype):
     library = compiled.library()
-    values = awkward(function, force_set, 3, dtype)
+    values = awkward(function, force_set, COUNT, 3, dtype)
     expected = run(library, function, force_set, ARRAYS, values)
     results = [values[0], *(np.empty(COUNT, dtype) for _ in function.outputs[1:])]
     routine = getattr(library, f"{name_of(function, force_set)}_{ARRAYS}{LETTERS[dtype]}")
@@ -119,7 +100,7 @@ def test_a_result_may_take_the_place_of_an_argument(function, force_set, dtype):
 def test_binary32_is_the_binary64_result_but_for_a_little(function, force_set):
     """Half a unit in the last place for the rounding, and no more than 1/64 for what plain arithmetic errs by."""
     library = compiled.library()
-    values = awkward(function, force_set, 5, np.float32)
+    values = awkward(function, force_set, COUNT, 5, np.float32)
     wide = [v.astype(np.float64) for v in values]
     for i, argument in enumerate(function.arguments(force_set)):
         if argument.unit == "rad":
@@ -143,7 +124,7 @@ def test_the_extension_gives_the_same_bits_and_flags(function, force_set, dtype)
         pytest.skip("no compiled extension: the NumPy back end serves")
     acting = function.variants[force_set][0]
     ufunc = getattr(_backend.EXTENSION, FUNCTIONS[function.full_name]["ufuncs"][acting][0])
-    values = awkward(function, force_set, 6, dtype)
+    values = awkward(function, force_set, COUNT, 6, dtype)
     with np.errstate(all="ignore"):
         found = ufunc(*values)
     found = found if isinstance(found, tuple) else (found,)

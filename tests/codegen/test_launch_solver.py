@@ -9,7 +9,7 @@ from galileo_sym.generated._decay import decay
 from galileo_sym.generated._elevation import elevation
 from galileo_sym.generated._primitives import best_time
 from galileo_sym.generated._scaled import constant, div, load, mul, sub
-from galileo_sym.generated.projectile import launch_angles_drag_balance as balance
+from galileo_sym.generated._scaled_projectile import launch_angles_drag_balance as balance
 
 
 def value(a, i):

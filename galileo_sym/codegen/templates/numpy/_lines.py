@@ -8,7 +8,7 @@ from math import inf
 
 import numpy as np
 
-from ._chunks import in_chunks
+from ._chunks import extent, in_chunks
 from ._kernel import quiet, raise_divide, raise_invalid
 
 _HIGH = np.int64(-(1 << 27))  # the bits of a double but the last 27 of its fraction
@@ -116,7 +116,7 @@ def _of_form(form, m, m_lo):
 
 def inside(primitive, m, m_lo=None):
     """A primitive of m + m_lo, all inside its domain."""
-    form = _common(primitive["forms"], m.min(), m.max())
+    form = _common(primitive["forms"], *extent(m))
     return _each(primitive["forms"], np.full(m.shape, True), m, m_lo) if form is None else _of_form(form, m, m_lo)
 
 
@@ -143,7 +143,7 @@ def _served(primitive, x, x_lo=None):
         if parity:
             sign = np.copysign(1.0, x)
             m_lo = None if x_lo is None else sign * x_lo
-        least, most = m.min(), m.max()
+        least, most = extent(m)
         form = _common(forms, least, most) if (parity or lower < least) and most < upper else None
     good = _told(primitive, x, x_lo) if form is None else None
     with quiet():
@@ -153,10 +153,9 @@ def _served(primitive, x, x_lo=None):
 
 def single(primitive, x):
     """A primitive of x, as its double and the rest; NaN and 'invalid' beyond its domain, 'divide by zero' at a pole."""
-    return in_chunks(lambda x: _served(primitive, x), [np.asarray(x, dtype=np.float64)], 2)
+    return in_chunks(lambda x: _served(primitive, x), [x], 2)
 
 
 def paired(primitive, x, x_lo):
     """The same of x + x_lo, abs(x_lo) no more than half an ulp of x."""
-    operands = [np.asarray(part, dtype=np.float64) for part in (x, x_lo)]
-    return in_chunks(lambda x, x_lo: _served(primitive, x, x_lo), operands, 2)
+    return in_chunks(lambda x, x_lo: _served(primitive, x, x_lo), [x, x_lo], 2)
