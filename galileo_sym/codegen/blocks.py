@@ -66,15 +66,19 @@ def kinds(kernel):
     return out
 
 
-def functions(kernel, kind):
-    """Return the C test for the numbers of a kind, and the function of a vector of them."""
-    name = f"gs_{kernel.name}"
+def _test(kernel, kind):
+    argument, _ = PARITIES[kernel.parity]
+    return (
+        f"static inline gs_mask gs_{kernel.name}_is_kind{kind.index}(gs_v x)\n{{\n    const gs_v m = {argument};\n"
+        f"    return {kind.test};\n}}\n"
+    )
+
+
+def _value(kernel, kind):
     argument, signed = PARITIES[kernel.parity]
     rest = "    gs_v lo;\n" if "&lo" in kind.call else ""
     return (
-        f"static inline gs_mask {name}_is_kind{kind.index}(gs_v x)\n{{\n    const gs_v m = {argument};\n"
-        f"    return {kind.test};\n}}\n"
-        f"static inline gs_v {name}_kind{kind.index}(gs_v x)\n{{\n{rest}    const gs_v m = {argument};\n"
+        f"static inline gs_v gs_{kernel.name}_kind{kind.index}(gs_v x)\n{{\n{rest}    const gs_v m = {argument};\n"
         f"    const gs_v r = {kind.call};\n    return {signed.format('r')};\n}}\n"
     )
 
@@ -130,8 +134,13 @@ def blocks_header(template):
     out = []
     for name, kernel in KERNELS.items():
         found = kinds(kernel)
-        out += [f"GS_LOOPS({name})\n", *(functions(kernel, kind) for kind in found)]
+        out += [f"GS_LOOPS({name})\n", *(_test(kernel, kind) for kind in found)]
         if len(found) > 1:
-            out += [_any(kernel), mixed(kernel, found[1:], DOUBLES), f"GS_BLOCKS({name})\n"]
+            out += [
+                *(_value(kernel, kind) for kind in found),
+                _any(kernel),
+                mixed(kernel, found[1:], DOUBLES),
+                f"GS_BLOCKS({name})\n",
+            ]
         out.append("\n")
     return template.replace("@KINDS@\n", "".join(out))

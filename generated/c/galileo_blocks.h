@@ -88,6 +88,16 @@ static inline gs_mask gs_phi1m_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
 }
+static inline gs_mask gs_phi1m_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+}
+static inline gs_mask gs_phi1m_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.be40000000000p+8));
+}
 static inline gs_v gs_phi1m_kind0(gs_v x)
 {
     gs_v lo;
@@ -95,22 +105,12 @@ static inline gs_v gs_phi1m_kind0(gs_v x)
     const gs_v r = gs_phi1m_near(m, &lo);
     return r;
 }
-static inline gs_mask gs_phi1m_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-}
 static inline gs_v gs_phi1m_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_phi1m_tail_near(m, &lo);
     return r;
-}
-static inline gs_mask gs_phi1m_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_at_least(m, gs_v_of(0x1.be40000000000p+8));
 }
 static inline gs_v gs_phi1m_kind2(gs_v x)
 {
@@ -159,6 +159,16 @@ static inline gs_mask gs_phi2m_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.a400000000000p+4));
 }
+static inline gs_mask gs_phi2m_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+}
+static inline gs_mask gs_phi2m_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.be40000000000p+8));
+}
 static inline gs_v gs_phi2m_kind0(gs_v x)
 {
     gs_v lo;
@@ -166,22 +176,12 @@ static inline gs_v gs_phi2m_kind0(gs_v x)
     const gs_v r = gs_phi2m_near(m, &lo);
     return r;
 }
-static inline gs_mask gs_phi2m_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-}
 static inline gs_v gs_phi2m_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_phi2m_tail_near(m, &lo);
     return r;
-}
-static inline gs_mask gs_phi2m_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_at_least(m, gs_v_of(0x1.be40000000000p+8));
 }
 static inline gs_v gs_phi2m_kind2(gs_v x)
 {
@@ -230,17 +230,17 @@ static inline gs_mask gs_descent_factor_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.2c00000000000p+3));
 }
+static inline gs_mask gs_descent_factor_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.2c00000000000p+3));
+}
 static inline gs_v gs_descent_factor_kind0(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_descent_factor_near(m, &lo);
     return r;
-}
-static inline gs_mask gs_descent_factor_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_at_least(m, gs_v_of(0x1.2c00000000000p+3));
 }
 static inline gs_v gs_descent_factor_kind1(gs_v x)
 {
@@ -284,6 +284,16 @@ static inline gs_mask gs_flight_factor_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
 }
+static inline gs_mask gs_flight_factor_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
+}
+static inline gs_mask gs_flight_factor_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+7));
+}
 static inline gs_v gs_flight_factor_kind0(gs_v x)
 {
     gs_v lo;
@@ -291,22 +301,12 @@ static inline gs_v gs_flight_factor_kind0(gs_v x)
     const gs_v r = gs_flight_factor_near(m, &lo);
     return r;
 }
-static inline gs_mask gs_flight_factor_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-}
 static inline gs_v gs_flight_factor_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_flight_tail_near(m, &lo);
     return r;
-}
-static inline gs_mask gs_flight_factor_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+7));
 }
 static inline gs_v gs_flight_factor_kind2(gs_v x)
 {
@@ -355,6 +355,16 @@ static inline gs_mask gs_range_factor_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
 }
+static inline gs_mask gs_range_factor_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+}
+static inline gs_mask gs_range_factor_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+6));
+}
 static inline gs_v gs_range_factor_kind0(gs_v x)
 {
     gs_v lo;
@@ -362,22 +372,12 @@ static inline gs_v gs_range_factor_kind0(gs_v x)
     const gs_v r = gs_range_factor_near(m, &lo);
     return r;
 }
-static inline gs_mask gs_range_factor_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-}
 static inline gs_v gs_range_factor_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_range_tail_near(m, &lo);
     return r;
-}
-static inline gs_mask gs_range_factor_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+6));
 }
 static inline gs_v gs_range_factor_kind2(gs_v x)
 {
@@ -426,6 +426,16 @@ static inline gs_mask gs_best_sine_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
 }
+static inline gs_mask gs_best_sine_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.0000000000000p+554));
+}
+static inline gs_mask gs_best_sine_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
+}
 static inline gs_v gs_best_sine_kind0(gs_v x)
 {
     gs_v lo;
@@ -433,22 +443,12 @@ static inline gs_v gs_best_sine_kind0(gs_v x)
     const gs_v r = gs_best_sine_range0(m, &lo);
     return r;
 }
-static inline gs_mask gs_best_sine_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.0000000000000p+554));
-}
 static inline gs_v gs_best_sine_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_best_sine_range1(m, &lo);
     return r;
-}
-static inline gs_mask gs_best_sine_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
 }
 static inline gs_v gs_best_sine_kind2(gs_v x)
 {
@@ -498,6 +498,16 @@ static inline gs_mask gs_best_angle_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
 }
+static inline gs_mask gs_best_angle_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.0000000000000p+554));
+}
+static inline gs_mask gs_best_angle_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
+}
 static inline gs_v gs_best_angle_kind0(gs_v x)
 {
     gs_v lo;
@@ -505,22 +515,12 @@ static inline gs_v gs_best_angle_kind0(gs_v x)
     const gs_v r = gs_best_angle_range0(m, &lo);
     return r;
 }
-static inline gs_mask gs_best_angle_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.0000000000000p+554));
-}
 static inline gs_v gs_best_angle_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_best_angle_range1(m, &lo);
     return r;
-}
-static inline gs_mask gs_best_angle_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
 }
 static inline gs_v gs_best_angle_kind2(gs_v x)
 {
@@ -570,6 +570,16 @@ static inline gs_mask gs_max_range_factor_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+2));
 }
+static inline gs_mask gs_max_range_factor_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
+}
+static inline gs_mask gs_max_range_factor_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
+}
 static inline gs_v gs_max_range_factor_kind0(gs_v x)
 {
     gs_v lo;
@@ -577,22 +587,12 @@ static inline gs_v gs_max_range_factor_kind0(gs_v x)
     const gs_v r = gs_max_range_factor_range0(m, &lo);
     return r;
 }
-static inline gs_mask gs_max_range_factor_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
-}
 static inline gs_v gs_max_range_factor_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_max_range_factor_range1(m, &lo);
     return r;
-}
-static inline gs_mask gs_max_range_factor_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.0000000000000p+554), gs_v_of(INFINITY));
 }
 static inline gs_v gs_max_range_factor_kind2(gs_v x)
 {
@@ -642,6 +642,16 @@ static inline gs_mask gs_w0_offset_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.5f33333333333p+5));
 }
+static inline gs_mask gs_w0_offset_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.0000000000000p-900));
+}
+static inline gs_mask gs_w0_offset_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.5f33333333333p+5));
+}
 static inline gs_v gs_w0_offset_kind0(gs_v x)
 {
     gs_v lo;
@@ -649,22 +659,12 @@ static inline gs_v gs_w0_offset_kind0(gs_v x)
     const gs_v r = gs_w0_offset_range0(m, &lo);
     return r;
 }
-static inline gs_mask gs_w0_offset_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.0000000000000p-900));
-}
 static inline gs_v gs_w0_offset_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_w0_offset_range1(m, &lo);
     return r;
-}
-static inline gs_mask gs_w0_offset_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_at_least(m, gs_v_of(0x1.5f33333333333p+5));
 }
 static inline gs_v gs_w0_offset_kind2(gs_v x)
 {
@@ -714,6 +714,16 @@ static inline gs_mask gs_wm1_offset_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x1.0000000000000p-900), gs_v_of(0x1.c000000000000p+6));
 }
+static inline gs_mask gs_wm1_offset_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.0000000000000p-900));
+}
+static inline gs_mask gs_wm1_offset_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.c000000000000p+6), gs_v_of(INFINITY));
+}
 static inline gs_v gs_wm1_offset_kind0(gs_v x)
 {
     gs_v lo;
@@ -721,22 +731,12 @@ static inline gs_v gs_wm1_offset_kind0(gs_v x)
     const gs_v r = gs_wm1_offset_range0(m, &lo);
     return r;
 }
-static inline gs_mask gs_wm1_offset_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.0000000000000p-900));
-}
 static inline gs_v gs_wm1_offset_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_wm1_offset_range1(m, &lo);
     return r;
-}
-static inline gs_mask gs_wm1_offset_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.c000000000000p+6), gs_v_of(INFINITY));
 }
 static inline gs_v gs_wm1_offset_kind2(gs_v x)
 {
@@ -786,17 +786,17 @@ static inline gs_mask gs_w0_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(0x1.5800000000000p+4));
 }
+static inline gs_mask gs_w0_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.5800000000000p+4), gs_v_of(INFINITY));
+}
 static inline gs_v gs_w0_kind0(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_w0_range0(m, &lo);
     return r;
-}
-static inline gs_mask gs_w0_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.5800000000000p+4), gs_v_of(INFINITY));
 }
 static inline gs_v gs_w0_kind1(gs_v x)
 {
@@ -841,17 +841,27 @@ static inline gs_mask gs_wm1_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(-0x1.78b56362cef37p-2), gs_v_of(-0x1.fbe76c8b43958p-4));
 }
+static inline gs_mask gs_wm1_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(-0x1.fbe76c8b43958p-4), gs_v_of(-0x1.0000000000000p-7));
+}
+static inline gs_mask gs_wm1_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(-0x1.0000000000000p-7), gs_v_of(-0x1.2b50c6ec4f313p-163));
+}
+static inline gs_mask gs_wm1_is_kind3(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(-0x1.2b50c6ec4f313p-163), gs_v_of(0x0.0p+0));
+}
 static inline gs_v gs_wm1_kind0(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_wm1_range0(m, &lo);
     return r;
-}
-static inline gs_mask gs_wm1_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(-0x1.fbe76c8b43958p-4), gs_v_of(-0x1.0000000000000p-7));
 }
 static inline gs_v gs_wm1_kind1(gs_v x)
 {
@@ -860,22 +870,12 @@ static inline gs_v gs_wm1_kind1(gs_v x)
     const gs_v r = gs_wm1_range1(m, &lo);
     return r;
 }
-static inline gs_mask gs_wm1_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(-0x1.0000000000000p-7), gs_v_of(-0x1.2b50c6ec4f313p-163));
-}
 static inline gs_v gs_wm1_kind2(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_wm1_range2(m, &lo);
     return r;
-}
-static inline gs_mask gs_wm1_is_kind3(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(-0x1.2b50c6ec4f313p-163), gs_v_of(0x0.0p+0));
 }
 static inline gs_v gs_wm1_kind3(gs_v x)
 {
@@ -930,6 +930,16 @@ static inline gs_mask gs_exp_minus_is_kind0(gs_v x)
     const gs_v m = x;
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.4000000000000p+9));
 }
+static inline gs_mask gs_exp_minus_is_kind1(gs_v x)
+{
+    const gs_v m = x;
+    return gs_within(m, gs_v_of(0x1.4000000000000p+9), gs_v_of(0x1.74a0000000000p+9));
+}
+static inline gs_mask gs_exp_minus_is_kind2(gs_v x)
+{
+    const gs_v m = x;
+    return gs_at_least(m, gs_v_of(0x1.74a0000000000p+9));
+}
 static inline gs_v gs_exp_minus_kind0(gs_v x)
 {
     gs_v lo;
@@ -937,22 +947,12 @@ static inline gs_v gs_exp_minus_kind0(gs_v x)
     const gs_v r = gs_exp_minus_range0(m, &lo);
     return r;
 }
-static inline gs_mask gs_exp_minus_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.4000000000000p+9), gs_v_of(0x1.74a0000000000p+9));
-}
 static inline gs_v gs_exp_minus_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = x;
     const gs_v r = gs_exp_minus_range1(m, &lo);
     return r;
-}
-static inline gs_mask gs_exp_minus_is_kind2(gs_v x)
-{
-    const gs_v m = x;
-    return gs_at_least(m, gs_v_of(0x1.74a0000000000p+9));
 }
 static inline gs_v gs_exp_minus_kind2(gs_v x)
 {
@@ -1002,26 +1002,12 @@ static inline gs_mask gs_sin_is_kind0(gs_v x)
     const gs_v m = gs_abs(x);
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.921fb54442d19p+0));
 }
-static inline gs_v gs_sin_kind0(gs_v x)
-{
-    gs_v lo;
-    const gs_v m = gs_abs(x);
-    const gs_v r = gs_sin_range0(m, &lo);
-    return gs_flip(r, x);
-}
 
 GS_LOOPS(cos)
 static inline gs_mask gs_cos_is_kind0(gs_v x)
 {
     const gs_v m = gs_abs(x);
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.921fb54442d19p+0));
-}
-static inline gs_v gs_cos_kind0(gs_v x)
-{
-    gs_v lo;
-    const gs_v m = gs_abs(x);
-    const gs_v r = gs_cos_range0(m, &lo);
-    return r;
 }
 
 GS_LOOPS(arctan)
@@ -1030,6 +1016,16 @@ static inline gs_mask gs_arctan_is_kind0(gs_v x)
     const gs_v m = gs_abs(x);
     return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+1));
 }
+static inline gs_mask gs_arctan_is_kind1(gs_v x)
+{
+    const gs_v m = gs_abs(x);
+    return gs_within(m, gs_v_of(0x1.e000000000000p+1), gs_v_of(0x1.fe00000000000p+5));
+}
+static inline gs_mask gs_arctan_is_kind2(gs_v x)
+{
+    const gs_v m = gs_abs(x);
+    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+5));
+}
 static inline gs_v gs_arctan_kind0(gs_v x)
 {
     gs_v lo;
@@ -1037,22 +1033,12 @@ static inline gs_v gs_arctan_kind0(gs_v x)
     const gs_v r = gs_arctan_range0(m, &lo);
     return gs_flip(r, x);
 }
-static inline gs_mask gs_arctan_is_kind1(gs_v x)
-{
-    const gs_v m = gs_abs(x);
-    return gs_within(m, gs_v_of(0x1.e000000000000p+1), gs_v_of(0x1.fe00000000000p+5));
-}
 static inline gs_v gs_arctan_kind1(gs_v x)
 {
     gs_v lo;
     const gs_v m = gs_abs(x);
     const gs_v r = gs_arctan_range1(m, &lo);
     return gs_flip(r, x);
-}
-static inline gs_mask gs_arctan_is_kind2(gs_v x)
-{
-    const gs_v m = gs_abs(x);
-    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+5));
 }
 static inline gs_v gs_arctan_kind2(gs_v x)
 {

@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "69114541a471eb5700ecd48d20920c6a851c18a658366b882a914dd3cc72d948";
+const char gs_sources[] = "5e2b3a6938fb5bcea15ab1ca4c83cbc8601602063c2b3301b5343efcfbd462ee";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};

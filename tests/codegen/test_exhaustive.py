@@ -39,8 +39,8 @@ WEAKENED = {  # (file, pattern of what is there, what replaces it, primitive and
     ),
     "the low part dropped": (  # at 3d8d6b23 the double is a midpoint of floats
         "galileo_singles.h",
-        r"return gs_to_odd\(hi, lo\);",
-        "return hi;",
+        r"(gs_arctan_value\(wide, &lo\);\n    return )gs_to_odd\(hi, lo\);",
+        r"\g<1>hi;",
         "arctan",
         "3d8d6b00:3d8d6c00",
     ),

@@ -41,6 +41,7 @@ CLOSED_FORMS = {
     "rise_factor": lambda p: -expm1(-_tau(p)) / p,
     "fall_factor": lambda p: _sigma(p) / p,
     "wm1_branch": lambda q: -lambertw(q * q - 1 / e, -1).real,
+    "wm1_middle": lambda m: -lambertw(-m, -1).real,
     "fall_log": lambda y: log1p(_sigma(sqrt(2 * exp(y)))),
     "log": log,
     "omega": lambda y: lambertw(exp(y)).real,

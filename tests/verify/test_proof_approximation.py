@@ -50,6 +50,7 @@ CONTINUED = {
 }
 POINTS = {  # elsewhere none or not positive, or so small that a short piece is not
     "wm1_branch": (2.0**-6, 0.25, 0.5),
+    "wm1_middle": (0.0078125, 0.03125, 0.125),
     "log": (1.25, 2.5, 40.0),
     "sine": (0.25, 0.5, 1.25),
     "arctangent": (0.25, 1.25, 40.0),
