@@ -121,7 +121,7 @@ def parser() -> argparse.ArgumentParser:
     bench.add_argument("--publish", action="store_true", help="renew docs/benchmark.md and its plot")
     bench.add_argument("-o", "--output", metavar="DIR", help="write JSON and plot there instead of build/bench")
 
-    scene = commands.add_parser("scene", help="say what a scene computes, over which axes", allow_abbrev=False)
+    scene = commands.add_parser("scene", help="say what a scene computes, or write it as a file", allow_abbrev=False)
     scene.add_argument("system", metavar="SYSTEM", help="chord or projectile")
     scene.add_argument("--over", type=_listed, required=True, metavar="AXIS,...", help="arguments that vary, in order")
     scene.add_argument("--outputs", type=_listed, required=True, metavar="NAME,...", help="what is wanted, in order")
@@ -129,6 +129,8 @@ def parser() -> argparse.ArgumentParser:
         "--set", nargs="+", action="extend", type=_named_number, default=[], metavar="NAME=VALUE", help="constants"
     )
     scene.add_argument("--until", metavar="END", help="arrival, landing or forever")
+    scene.add_argument("--emit", metavar="LANGUAGE", help="write it as a self-contained file: c, to PATH")
+    scene.add_argument("-o", "--output", metavar="PATH", help="of that file; its name is the function's")
     scene.add_argument("--lengths", type=_listed, metavar="AXIS=N,...", help="of the axes: counts are for all elements")
 
     everything = commands.add_parser("all", help="derive, emit, verify", allow_abbrev=False)

@@ -172,22 +172,26 @@ def bench(options) -> int:
 
 
 def scene(options) -> int:
-    """Say what a scene computes."""
+    """Say what a scene computes, or write it as a file."""
     from galileo_sym.scenes import Scene
 
     constants = dict(options.set)
     if len(constants) < len(options.set):
         raise UsageError("--set names a constant twice: leave out one of them")
+    if bool(options.emit) != bool(options.output):
+        raise UsageError("--emit LANGUAGE and -o PATH go together: give both")
     try:
         shown = Scene(options.system, over=options.over, outputs=options.outputs, until=options.until, **constants)
         lengths = dict(map(_length, options.lengths or []))
         told = shown.explain(**lengths)
         counts = shown.cost(**(lengths or dict.fromkeys(shown.over, 1)))
+        if options.emit:
+            shown.emit(options.emit, options.output)
     except (TypeError, ValueError) as problem:
         raise UsageError(problem) from None
     if options.json:
         told = json.dumps(_as_document(shown, counts), indent=2)
-    print(told)
+    print(told if options.json or not options.emit else options.output)
     return 0
 
 

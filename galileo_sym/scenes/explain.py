@@ -35,10 +35,11 @@ def explained(plan, lengths):
         rows.append((result.output, _over(result.axes), _counted(plan.result_counts(result)), text))
     widths = [max(len(row[i]) for row in rows) for i in range(3)]
     lines = [f"{a:<{widths[0]}}  {b:<{widths[1]}}  {c:<{widths[2]}}  {d}".rstrip() for a, b, c, d in rows]
-    return "\n".join([_head(plan, lengths), "", *lines, "", *_totals(plan, times, lengths is not None)])
+    return "\n".join([headline(plan, lengths), "", *lines, "", *_totals(plan, times, lengths is not None)])
 
 
-def _head(plan, lengths):
+def headline(plan, lengths):
+    """Return the system, forces, outputs, axes and constants of a plan."""
     acting = {*plan.over, *dict(plan.constants)}
     forces = force_set(plan.system, acting).replace("_", " and ")
     axes = [f"{axis} ({lengths[axis]})" if lengths else axis for axis in plan.over]

@@ -59,6 +59,13 @@ def _round(value, at_rest, *forces):
     return Factor((number,), odd)
 
 
+def _store(value, at_rest, *forces):
+    number = _scaled.store(value)
+    for force in forces:
+        number = np.where(force.held, at_rest, number)
+    return Factor((number,), None)
+
+
 def _halves(value):
     hi, lo, e, odd = _in_range(value)
     high = _HALF * hi
@@ -89,6 +96,7 @@ OPERATIONS = {
     "driving": _driving,
     "scale": lambda a, k: _scaled.scale(_pair(a), k),
     "round": lambda value, at_rest, *forces: _round(_pair(value), at_rest, *forces),
+    "store": lambda value, at_rest, *forces: _store(_pair(value), at_rest, *forces),
     "halves": _of_pairs(_halves),
     "parts": _of_pairs(_parts),
     **{name: _of_pairs(getattr(_scaled, name)) for name in ("mul", "div", "add", "sub", "sqrt")},

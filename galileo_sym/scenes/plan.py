@@ -19,13 +19,15 @@ mul div add pairs                                          a pair
 sub sqrt    pairs, pair                                    a pair
 scale       pair, k                                        the pair times 2^k
 phi0m, ...  pair                                           the primitive of the pair (`PRIMITIVES`)
-round       pair, value at rest, driving steps             a double; the value at rest where one of them is <= 0
+round       pair, value at rest, driving steps             a double, if a product of two such is sure to be normal;
+                                                           the value at rest where one of the forces is <= 0
+store       the same                                       a double, whatever its size
 halves      pair                                           two doubles, the first of 26 bits: products are exact
 parts       pair                                           two doubles, the first rounded to the nearest
 =========== ============================================== ==================================================
 
 Operations of results: ``product`` of two rounds; ``sum`` of (sign, halves, halves) and (sign, parts); ``copy`` of a
-round; ``call`` of a public function, where no two factors separate the axes; ``number``, folded, without any work.
+store; ``call`` of a public function, where no two factors separate the axes; ``number``, folded, without any work.
 """
 
 from __future__ import annotations
@@ -37,7 +39,7 @@ from math import prod
 PRIMITIVES = ("phi0m", "phi1m", "phi2m", "descent_factor", "flight_factor", "range_factor")
 TRANSCENDENTAL = ("angle", *PRIMITIVES)
 LEAVES = ("load", "constant", "angle")
-ROUNDINGS = ("round", "halves", "parts")
+ROUNDINGS = ("round", "halves", "parts", "store")
 _FREE = ("load", "constant", "sine", "cosine", "scale", *ROUNDINGS)  # no arithmetic in any of these
 
 
@@ -110,8 +112,13 @@ class Plan:
     @property
     def all_results(self):
         """The results, and before them what tells where and when they end."""
-        limits = [end.limit for end in self.ends if end.limit]
-        return (*([self.arrival] if self.arrival else []), *dict.fromkeys(limits), *self.results)
+        return tuple(dict.fromkeys([*self.bounds, *self.results]))
+
+    @property
+    def bounds(self):
+        """What tells when and where the motion ends."""
+        arrival = [self.arrival] if self.arrival else []
+        return tuple(dict.fromkeys([*arrival, *(end.limit for end in self.ends if end.limit)]))
 
     def points(self, axes, lengths):
         """Return how many elements there are over some axes."""

@@ -69,7 +69,6 @@ def _call(plan, result, made, axes, target):
 def _copy(plan, result, made, axes, target):
     (factor,) = (made[name] for name in result.operands)
     np.copyto(target, factor.parts[0], casting="same_kind")
-    _put_odd(plan, result, [factor], axes, target)
 
 
 def _product(plan, result, made, axes, target):

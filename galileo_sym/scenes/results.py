@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from galileo_sym.generated._functions import FUNCTIONS
 from galileo_sym.generated._graphs import SYSTEMS
@@ -57,14 +58,15 @@ def plan_of(system, over, constants, outputs, *, direct, ending=False):
     acting = tuple(a for a in SYSTEMS[system]["forces"].values() if a in over or a in constants)
     specialiser = Specialiser(over, constants)
 
-    def result(output):
-        return _result(specialiser, system, acting, output, direct)
+    def result(output, split):
+        return _result(specialiser, system, acting, output, direct, split)
 
-    results = tuple(map(result, outputs))
+    results = tuple(result(output, True) for output in outputs)
     arrival, ends = None, ()
     if ending and any(output in _LIMITS[system] for output in outputs):
-        arrival = result(_ARRIVAL[system])
-        ends = tuple(_end(specialiser, system, r, arrival, result) for r in results if r.output in _LIMITS[system])
+        arrival = result(_ARRIVAL[system], False)
+        ending_ones = [r for r in results if r.output in _LIMITS[system]]
+        ends = tuple(_end(specialiser, system, r, arrival, partial(result, split=False)) for r in ending_ones)
     domains = {name: domain for name, (domain, _) in SYSTEMS[system]["arguments"].items()}
     plan = Plan(system, over, tuple(constants.items()), tuple(domains.items()), (), results, arrival, ends)
     return replace(plan, steps=_needed(specialiser.made, plan.all_results))
@@ -86,7 +88,7 @@ def _limit(specialiser, result, terms):
     """The value of an output at the end of a chord."""
     axes = specialiser.axes_of(symbols_of(terms))
     row = {"at_rest": 0.0, "function": None}
-    operation, operands, text = _made(specialiser, row, terms, axes, direct=False)
+    operation, operands, text = _made(specialiser, row, terms, axes, False, False)
     return Result(f"{result.output} at arrival", axes, operation, operands, None, None, (), 0, text)
 
 
@@ -106,14 +108,14 @@ def _names(operands):
     return set().union(*map(_names, operands)) if isinstance(operands, tuple) else set()
 
 
-def _result(specialiser, system, acting, output, direct):
+def _result(specialiser, system, acting, output, direct, split):
     row = SYSTEMS[system]["outputs"][output]
     terms = terms_of(row["forms"][force_set(system, acting)])
     served = FUNCTIONS[row["function"]]
     ufuncs = served["ufuncs"][tuple(force for force in served["forces"] if force in acting)]
     arguments = (*row["arguments"], *(force for force in served["forces"] if force in acting))
     axes = specialiser.axes_of(symbols_of(terms))
-    operation, operands, text = _made(specialiser, row, terms, axes, direct)
+    operation, operands, text = _made(specialiser, row, terms, axes, direct, split)
     return Result(
         output,
         axes if operation != "number" else (),
@@ -132,24 +134,26 @@ def _transcendental(terms):
     return len({("angle", call[2]) if call[1] in _OF_ANGLE else call for call in calls_of(terms)})
 
 
-def _made(specialiser, row, terms, axes, direct):
-    """Operation of an output, its operands, and what it gives."""
+def _made(specialiser, row, terms, axes, direct, split):
+    """Operation of an output, its operands, and what it gives; as one value if it is not to be split into factors."""
     if folding.held(calls_of(terms), specialiser.constants):
         return "number", (row["at_rest"],), "at rest"
     if not axes:
         value = float(folding.fold(terms, specialiser.constants))
         return "number", (value,), f"{value:.6g}"
-    made = _sum(specialiser, terms, axes) if len(terms) > 1 else _product(specialiser, row, terms[0])
-    if made:
-        return made
+    if split:
+        made = _sum(specialiser, terms, axes) if len(terms) > 1 else _product(specialiser, row, terms[0])
+        if made:
+            return made
     if direct:
         return "call", (), row["function"]
-    return "copy", (_round(specialiser, row, specialiser.sum(terms)),), specialiser.text(specialiser.sum(terms))
+    whole = specialiser.sum(terms)
+    return "copy", (_rounded(specialiser, row, whole, "store"),), specialiser.text(whole)
 
 
-def _round(specialiser, row, node):
+def _rounded(specialiser, row, node, operation):
     forces = specialiser.driving(node)
-    return specialiser.step("round", (node, row["at_rest"] if forces else None, *forces), specialiser.text(node))
+    return specialiser.step(operation, (node, row["at_rest"] if forces else None, *forces), specialiser.text(node))
 
 
 def _product(specialiser, row, term):
@@ -157,7 +161,7 @@ def _product(specialiser, row, term):
     factors = specialiser.separated(specialiser.groups(term))
     if not factors:
         return None
-    rounded = tuple(_round(specialiser, row, node) for node in factors)
+    rounded = tuple(_rounded(specialiser, row, node, "round") for node in factors)
     return "product", rounded, " * ".join(map(specialiser.text, factors))
 
 

@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
-import difflib
 from functools import cached_property
-from math import isfinite
-from numbers import Real
+from pathlib import Path
 
-import numpy as np
-
+from galileo_sym.files import write_whole
 from galileo_sym.generated._graphs import SYSTEMS
-from galileo_sym.generated._kernel import DOMAINS
+from galileo_sym.scenes import c_source
+from galileo_sym.scenes.arguments import (
+    ENDS,
+    checked_constant,
+    checked_lengths,
+    checked_names,
+    known_name,
+    when_it_ends,
+)
 from galileo_sym.scenes.arrays import axis_arrays, checked_outs
+from galileo_sym.scenes.compiled import compiled
 from galileo_sym.scenes.explain import explained
 from galileo_sym.scenes.numpy_run import evaluate
 from galileo_sym.scenes.results import plan_of
 
-ENDS = {"chord": "arrival", "projectile": "landing"}
-_NEVER = "forever"
-_WORDS = {
-    "positive": "> 0",
-    "nonnegative": ">= 0",
-    "chord angle": "of size at most pi/2",
-    "elevation": "from 0 to pi/2",
-}
+EMITTED = {"c": c_source.source}
 
 
 class Scene:
@@ -71,21 +70,24 @@ class Scene:
     """
 
     def __init__(self, system, *, over, outputs, until=None, **constants):
-        row = SYSTEMS[_known(system, SYSTEMS, "system", ValueError)]
-        over, wanted = _names(over, row["arguments"], "axis", system), _names(outputs, row["outputs"], "output", system)
+        row = SYSTEMS[known_name(system, SYSTEMS, "system", ValueError)]
+        over, wanted = (
+            checked_names(over, row["arguments"], "axis", system),
+            checked_names(outputs, row["outputs"], "output", system),
+        )
         for name in constants:
-            _known(name, row["arguments"], f"argument of {system} scenes", TypeError)
+            known_name(name, row["arguments"], f"argument of {system} scenes", TypeError)
         both = [name for name in constants if name in over]
         if both:
             raise ValueError(f"{both[0]} is both an axis and a constant: leave out one of them")
-        values = {name: _constant(name, constants[name], row) for name in row["arguments"] if name in constants}
+        values = {name: checked_constant(name, constants[name], row) for name in row["arguments"] if name in constants}
         acting = {name: value for name, value in values.items() if value or name not in row["forces"].values()}
         for output in wanted:
             for name in row["outputs"][output]["arguments"]:
                 if name not in over and name not in acting:
                     raise ValueError(f"{output} needs {name}: give {name}=, or name it in over=")
-        alone, until = isinstance(outputs, str), _until(until, system, {*over, *acting})
-        self.__dict__.update(system=system, over=over, outputs=wanted, until=until, _constants=acting, _alone=alone)
+        alone, until = isinstance(outputs, str), when_it_ends(until, system, {*over, *acting})
+        self.__dict__.update(system=system, over=over, outputs=wanted, until=until, _constants=acting, alone=alone)
 
     @property
     def constants(self):
@@ -125,14 +127,14 @@ class Scene:
             For a force that the system does not have.
         """
         forces = SYSTEMS[self.system]["forces"]
-        argument = forces[_known(force, forces, f"force of {self.system} scenes", ValueError)]
+        argument = forces[known_name(force, forces, f"force of {self.system} scenes", ValueError)]
         constants = {name: value for name, value in self._constants.items() if name != argument}
         over = tuple(axis for axis in self.over if axis != argument)
         return Scene(self.system, over=over, outputs=self._asked, until=self.until, **constants)
 
     @property
     def _asked(self):
-        return self.outputs[0] if self._alone else self.outputs
+        return self.outputs[0] if self.alone else self.outputs
 
     def __call__(self, *, grid=True, out=None, **axes):
         """Compute the outputs.
@@ -159,15 +161,59 @@ class Scene:
         TypeError
             For missing or unknown axes, dtypes that are not supported, and `out` of another shape or type.
         """
-        missing = [name for name in self.over if name not in axes]
-        for name in axes:
-            _known(name, self.over, "axis of this scene", TypeError)
-        if missing:
-            raise TypeError(f"the scene is over {', '.join(self.over)}: give {missing[0]}=")
-        arrays, dtype, shape = axis_arrays(self.plan, axes, grid)
+        arrays, dtype, shape = axis_arrays(self.plan, self.checked_axes(axes), grid)
         found = evaluate(self.plan, arrays, checked_outs(out, len(self.outputs), shape), dtype)
         found = tuple(array[()] if not shape else array for array in found)
-        return found[0] if self._alone else found
+        return found[0] if self.alone else found
+
+    def checked_axes(self, axes):
+        """Return axes by name if they are those of the scene; else raise TypeError."""
+        missing = [name for name in self.over if name not in axes]
+        for name in axes:
+            known_name(name, self.over, "axis of this scene", TypeError)
+        if missing:
+            raise TypeError(f"the scene is over {', '.join(self.over)}: give {missing[0]}=")
+        return axes
+
+    def compile(self):
+        """Return the scene as a function of C, compiled by the system's compiler, and called as the scene is.
+
+        The library is kept in the user's cache folder, by content; two processes may ask for it at once. Where there is
+        no compiler the scene itself is returned, with a RuntimeWarning.
+
+        Returns
+        -------
+        Compiled or Scene
+        """
+        return compiled(self)
+
+    def emit(self, language, path):
+        """Write a self-contained file that computes the scene, and nothing else.
+
+        Parameters
+        ----------
+        language : str
+            ``"c"``: C99 that compiles alone. The function has the name of the file without its ending, and takes for
+            each axis its length and values, then work space (of as many bytes as the function of that name and
+            ``_work`` tells for the lengths), and where each output is written.
+        path : path
+            Of the file; what was there stays until the new one is complete.
+
+        Raises
+        ------
+        ValueError
+            For another language, and where the name of the file is no identifier.
+        """
+        path = Path(path)
+        write = EMITTED[known_name(language, EMITTED, "language of emitted scenes", ValueError)]
+        if not (path.stem.isascii() and path.stem.isidentifier()):
+            raise ValueError(f"{path.stem!r} is no name of a function: name the file with letters, digits and _")
+        write_whole(path, write(self.separate_plan, path.stem).encode())
+
+    @cached_property
+    def separate_plan(self):
+        """What C computes: the plan with steps of its own for every output."""
+        return self._plan(direct=False)
 
     def explain(self, **lengths):
         """Return in words what is computed, over which axes, with how many operations.
@@ -177,7 +223,7 @@ class Scene:
         **lengths : int, optional
             Of the axes; with them the operations are counted for all elements.
         """
-        return explained(self.plan, _lengths(self.over, lengths) if lengths else None)
+        return explained(self.plan, checked_lengths(self.over, lengths) if lengths else None)
 
     def cost(self, **lengths):
         """Return how many operations a call takes.
@@ -192,7 +238,7 @@ class Scene:
         dict
             By axes, a tuple of names: a dict of counts by operation, those of ``transcendental`` functions among them.
         """
-        return {axes: dict(counts) for axes, counts in self.plan.cost(_lengths(self.over, lengths)).items()}
+        return {axes: dict(counts) for axes, counts in self.plan.cost(checked_lengths(self.over, lengths)).items()}
 
     def __setattr__(self, name, value):
         raise AttributeError(f"a scene does not change: make one with another {name}")
@@ -201,7 +247,7 @@ class Scene:
         raise AttributeError(f"a scene does not change: {name} stays")
 
     def _key(self):
-        return self.system, self.over, self.outputs, self.until, self._alone, tuple(self._constants.items())
+        return self.system, self.over, self.outputs, self.until, self.alone, tuple(self._constants.items())
 
     def __eq__(self, other):
         return self._key() == other._key() if isinstance(other, Scene) else NotImplemented
@@ -210,59 +256,6 @@ class Scene:
         return hash(self._key())
 
     def __repr__(self):
-        more = {} if self.until == _until(None, self.system, self._known_arguments) else {"until": self.until}
+        more = {} if self.until == when_it_ends(None, self.system, self._known_arguments) else {"until": self.until}
         given = "".join(f", {name}={value!r}" for name, value in {**more, **self._constants}.items())
         return f"Scene({self.system!r}, over={self.over!r}, outputs={self._asked!r}{given})"
-
-
-def _known(name, names, kind, error):
-    """Return a name that is among some; else raise an error that tells the nearest."""
-    if name in names:
-        return name
-    near = difflib.get_close_matches(str(name), names, n=3, cutoff=0.4)
-    raise error(f"{name!r} is no {kind}; {f'nearest: {near[0]}; ' if near else ''}there are {', '.join(names)}")
-
-
-def _names(given, names, kind, system):
-    """Names of axes or outputs as a tuple."""
-    found = (given,) if isinstance(given, str) else tuple(given)
-    for name in found:
-        _known(name, names, f"{kind} of {system} scenes", ValueError)
-    twice = [name for name in found if found.count(name) > 1]
-    if twice:
-        raise ValueError(f"{kind} {twice[0]} is named twice: name each once")
-    if not found:
-        raise ValueError(f"a scene has at least one {kind}: name it")
-    return found
-
-
-def _until(given, system, known):
-    """When the motion ends."""
-    if given is None:
-        return ENDS[system] if "diameter" in known else _NEVER
-    _known(given, (ENDS[system], _NEVER), f"end of {system} scenes", ValueError)
-    if given == "arrival" and "diameter" not in known:
-        raise ValueError("beads arrive at the end of a chord: give diameter=, or name it in over=")
-    return given
-
-
-def _constant(name, value, row):
-    """A constant as a double."""
-    if isinstance(value, np.ndarray) and value.ndim == 0:
-        value = value[()]
-    if isinstance(value, bool | np.bool_) or not isinstance(value, Real):
-        raise TypeError(f"{name} is {value!r}, not a number: name it in over= if it varies")
-    domain, unit = row["arguments"][name]
-    if not (isfinite(value) and DOMAINS[domain][0](np.float64(value))):
-        raise ValueError(f"{name} is {value!r} {unit}: it must be finite and {_WORDS[domain]}")
-    return float(value)
-
-
-def _lengths(over, lengths):
-    """Lengths of all axes."""
-    for name in lengths:
-        _known(name, over, "axis of this scene", TypeError)
-    for name in over:
-        if name not in lengths:
-            raise TypeError(f"give the length of every axis: {name}= is missing")
-    return lengths

@@ -36,6 +36,12 @@ def test_json_holds_the_plan_and_the_counts(capsys):
     assert [step["name"] for step in document["steps"]][-2:] == ["x", "y"]
 
 
+def test_a_scene_is_written_as_a_file(capsys, tmp_path):
+    path = str(tmp_path / "spindle.c")
+    assert call(capsys, *SPINDLE, "--emit", "c", "-o", path) == (0, f"{path}\n", "")
+    assert "void spindle(size_t n_t, const double *restrict t," in (tmp_path / "spindle.c").read_text()
+
+
 @pytest.mark.parametrize(
     ("words", "told"),
     [
@@ -45,6 +51,8 @@ def test_json_holds_the_plan_and_the_counts(capsys):
         (("--outputs", "z"), "no output of chord scenes"),
         (("--lengths", "t=3"), "theta= is missing"),
         (("--lengths", "t=three"), "a whole number"),
+        (("--emit", "c"), "go together"),
+        (("--emit", "fortran", "-o", "spindle.f"), "no language"),
         (("--until", "arrival"), "give diameter="),
     ],
 )
