@@ -11,7 +11,7 @@ _SOURCES = ("galileo_support.h", "tables.c", "primitives.c")
 _WORD = re.compile(r"\b[A-Za-z_]\w*\b")
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _GUARD = re.compile(r"GALILEO_\w+_H")
-_KINDS = ("condition", "macro", "type", "table", "function")  # in this order they may use one another
+_KINDS = ("include", "condition", "macro", "type", "table", "function")  # in this order they may use one another
 
 
 class Definition(NamedTuple):
@@ -31,7 +31,7 @@ def definitions():
 
 
 def closure(code):
-    """Return the text of all definitions that code reaches, and the conditions on compilers.
+    """Return the text of all definitions that code reaches, with the standard headers and conditions on compilers.
 
     Parameters
     ----------
@@ -45,8 +45,14 @@ def closure(code):
         if name in known and name not in wanted:
             wanted.add(name)
             left |= set(_WORD.findall(_COMMENT.sub("", known[name].text))) - wanted
-    chosen = [found for found in definitions() if found.kind == "condition" or found.name in wanted]
-    return "\n".join(found.text for kind in _KINDS for found in chosen if found.kind == kind)
+    always = {found.name: found for found in definitions() if found.kind in ("include", "condition")}
+    chosen = [*always.values(), *(found for found in definitions() if found.name in wanted)]
+    parts = ("".join(_spaced(found) for found in chosen if found.kind == kind) for kind in _KINDS)
+    return "\n".join(part for part in parts if part)
+
+
+def _spaced(found):
+    return found.text if found.kind in ("include", "macro") else f"{found.text}\n"
 
 
 def _parsed(text):
@@ -98,6 +104,8 @@ def _end_of(line):
 def _classified(item):
     """Kind and name of an item; None for what defines nothing here."""
     first = item.partition("\n")[0]
+    if item.startswith("#include <"):
+        return "include", first
     if item.startswith("#if"):
         return (None, None) if _GUARD.search(first) else ("condition", first)
     if item.startswith("#define"):

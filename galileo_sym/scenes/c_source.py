@@ -16,11 +16,7 @@ _HEAD = """/* {title}
  * {name}_work(...) bytes, as from malloc. Arguments outside their domains give NaN and raise FE_INVALID.
  * With other options than -std=c99 gcc needs -ffp-contract=off; no compiler may be told -ffast-math.
  * Made by galileo-sym {version}. */
-#include <fenv.h>
-#include <float.h>
-#include <math.h>
 #include <stddef.h>
-
 """
 
 
