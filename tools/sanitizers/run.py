@@ -30,6 +30,7 @@ OPTIONS = {
 }
 TESTS = (
     "test_ufuncs.py",
+    "test_ufunc_overrides.py",
     "test_other_arrays.py",
     "test_public_front.py",
     "test_public_values.py",
