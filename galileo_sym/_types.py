@@ -1,5 +1,7 @@
 """Which dtype serves which operands, whatever the back end; Python's numbers take the dtype of the others (NEP 50)."""
 
+from functools import lru_cache
+
 import numpy as np
 
 DOUBLE, SINGLE = np.dtype(np.float64), np.dtype(np.float32)
@@ -37,7 +39,12 @@ def common_dtype(operands):
     TypeError
         If one is complex, of extended precision, an object or otherwise no real number.
     """
-    known = [x if type(x) in PYTHON_NUMBERS else np.asarray(x).dtype for x in operands]
+    return _common(*(type(x)() if type(x) in PYTHON_NUMBERS else np.asarray(x).dtype for x in operands))
+
+
+@lru_cache(maxsize=256, typed=True)
+def _common(*known):
+    """The same from dtypes and Python's numbers, whose values do not matter; NumPy takes long to tell."""
     for one in known:
         _serving(np.result_type(one))
     return _serving(np.result_type(*known))

@@ -7,15 +7,16 @@ from ._chunks import extent, in_chunks
 from ._kernel import quiet
 from ._tables import HALF_PI
 
-# Least and greatest ordinary size, whether 0 is, too, and whether there is a sign. No term over- or underflows, nor
-# what a product leaves; an angle that is used is so far from pi/2 that two doubles of that are enough for its cosine.
+# Least and greatest ordinary number, whether 0 is one, too, and whether the size alone counts. No term over- or
+# underflows, nor what a product leaves; an angle that is used is so far from pi/2 that two doubles of that are enough
+# for its cosine.
 _SIZES = {
     "positive": (2.0**-100, 2.0**100, False, False),
     "nonnegative": (2.0**-100, 2.0**100, True, False),
     "rate": (0.0, 2.0**100, True, False),
     "chord angle": (2.0**-100, HALF_PI[0] - 2.0**-20, True, True),
     "elevation": (2.0**-100, HALF_PI[0] - 2.0**-20, True, False),
-    "chord angle, idle": (0.0, HALF_PI[0], True, True),
+    "chord angle, idle": (-HALF_PI[0], HALF_PI[0], True, False),
 }
 
 
