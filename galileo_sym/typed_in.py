@@ -87,7 +87,8 @@ def formulas(function, force_set):
 
 
 @cache
-def _compiled(full_name, force_set):
+def compiled_formula(full_name, force_set):
+    """Return the printed formulas of a variant as a function of its arguments, in order."""
     function = FUNCTIONS[full_name]
     names = [argument.symbol for argument in function.arguments(force_set)]
     symbols = [Symbol(name) for name in names]
@@ -119,5 +120,5 @@ class TypedIn:
         values = [np.asarray(arguments[a.name], dtype=float) for a in row.arguments(force_set)]
         with np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            results = _compiled(function.full_name, force_set)(*values)
+            results = compiled_formula(function.full_name, force_set)(*values)
         return tuple(np.array(np.broadcast_to(np.real(r), values[0].shape), dtype=float) for r in results)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from galileo_sym._types import DOUBLE, SINGLE, as_operand, common_dtype
+from galileo_sym.generated._kernel import DOMAINS, admit, quiet
 from galileo_sym.generated._tables import HALF_PI
 
 _ANGLES = ("chord angle", "elevation")
@@ -40,6 +41,31 @@ def _widened(array, domain):
     if array.dtype == SINGLE and domain in _ANGLES:
         return np.where(np.abs(array) == np.float32(HALF_PI[0]), np.copysign(HALF_PI[0], wide), wide)
     return wide
+
+
+def admitted_axes(plan, axes):
+    """Return the axes with harmless values where there is no result, and by axis where that is, if anywhere.
+
+    What is outside its domain raises 'invalid'. Where the motion has an end, times before its start are admitted.
+    """
+    domains = dict(plan.domains)
+    admitted, void = {}, {}
+    for name, values in axes.items():
+        domain = "real" if name == "t" and plan.arrival is not None else domains[name]
+        if _is_inside(values, domain):
+            admitted[name] = values
+            continue
+        (admitted[name],), mask = admit((values, domain))
+        if mask.any():
+            void[name] = mask
+    return admitted, void
+
+
+def _is_inside(values, domain):
+    """Whether all values are in a domain, an interval: their extremes are, and not NaN."""
+    inside = DOMAINS[domain][0]
+    with quiet():
+        return values.size > 0 and bool(inside(values.min()) and inside(values.max()))
 
 
 def checked_outs(out, count, shape):

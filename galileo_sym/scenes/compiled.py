@@ -10,9 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from galileo_sym._types import DOUBLE
-from galileo_sym.generated._kernel import admit
 from galileo_sym.libraries import CompilationError, NoCompilerError, find_compiler, kept_library
-from galileo_sym.scenes.arrays import axis_arrays, checked_outs
+from galileo_sym.scenes.arrays import admitted_axes, axis_arrays, checked_outs
 from galileo_sym.scenes.c_source import source
 
 _NAME = "scene"
@@ -50,9 +49,7 @@ class Compiled:
         return results[0] if scene.alone else results
 
     def _compute(self, arrays, places, results):
-        domains = dict(self.scene.plan.domains)
-        for name, values in arrays.items():  # what lies outside raises NumPy's 'invalid'; the library does its own work
-            admit((values, "real" if name == "t" and self.scene.plan.arrival else domains[name]))
+        admitted_axes(self.scene.plan, arrays)  # raises NumPy's 'invalid'; the library does its own work
         flat = [np.ascontiguousarray(values).reshape(-1) for values in arrays.values()]
         work = np.empty(self._work(*map(len, flat)), np.uint8)
         pairs = [argument for values in flat for argument in (len(values), values.ctypes.data)]

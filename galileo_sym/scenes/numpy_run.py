@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from galileo_sym.generated._kernel import admit
+from galileo_sym.scenes.arrays import admitted_axes
 from galileo_sym.scenes.ends import ended
 from galileo_sym.scenes.operations import OPERATIONS, factors
 from galileo_sym.scenes.points import placed
@@ -30,7 +30,7 @@ def evaluate(plan, axes, outs, dtype, operations=OPERATIONS):
     list of ndarray
     """
     shape = np.broadcast_shapes(*(values.shape for values in axes.values()))
-    admitted, void = _admitted(plan, axes)
+    admitted, void = admitted_axes(plan, axes)
     if plan.arrival is None:
         made = factors(plan, admitted, operations)
         pairs = zip(plan.results, outs, strict=True)
@@ -38,18 +38,6 @@ def evaluate(plan, axes, outs, dtype, operations=OPERATIONS):
     else:
         outputs = ended(plan, admitted, shape, outs, dtype, operations)
     return [_voided(result, output, void) for result, output in zip(plan.results, outputs, strict=True)]
-
-
-def _admitted(plan, axes):
-    """The axes with harmless values where there is no result, and by axis where that is."""
-    domains = dict(plan.domains)
-    admitted, void = {}, {}
-    for name, values in axes.items():
-        before_start = name == "t" and plan.arrival is not None
-        (admitted[name],), mask = admit((values, "real" if before_start else domains[name]))
-        if mask.any():
-            void[name] = mask
-    return admitted, void
 
 
 def _voided(result, output, void):

@@ -80,21 +80,38 @@ def _product(plan, result, made, axes, target):
 def _sum(plan, result, made, axes, target):
     """Sum of the leading parts of addends, whose products are exact, and of what is left of them."""
     addends = [(sign, [made[name] for name in names]) for sign, *names in result.operands]
-    for block in _blocks(target):
-        high = low = None
-        for sign, found in addends:
-            leading, rest = _ADDENDS[len(found)](*(_part(part, block) for factor in found for part in factor.parts))
-            high = leading if high is None else _SIGNED[sign](high, leading)
-            low = rest if low is None else _SIGNED[sign](low, rest)
+    blocks = _blocks(target)
+    room = np.empty((3, *target[blocks[0]].shape)) if blocks else None
+    for block in blocks:
+        high, low, more = (array[: len(target[block])] if target.ndim else array for array in room)
+        for number, (sign, found) in enumerate(addends):
+            parts = [_part(part, block) for factor in found for part in factor.parts]
+            _ADDENDS[len(found)](_SIGNED[sign] if number else None, parts, high, low, more)
         np.add(high, low, out=target[block], casting="same_kind")
     _put_odd(plan, result, [factor for _, found in addends for factor in found], axes, target)
 
 
+def _pair(sign, parts, high, low, more):
+    """A pair, to what is there already."""
+    for part, total in zip(parts, (high, low), strict=True):
+        np.copyto(total, part) if sign is None else sign(total, part, out=total)
+
+
+def _two_factors(sign, parts, high, low, more):
+    """The product of two factors in halves: to what is there already, or if this is the first addend instead of it."""
+    one, one_rest, other, other_rest = parts
+    if sign is None:
+        np.multiply(one, other, out=high)
+        np.multiply(one, other_rest, out=low)
+    else:
+        sign(high, np.multiply(one, other, out=more), out=high)
+        sign(low, np.multiply(one, other_rest, out=more), out=low)
+    np.multiply(one_rest, other + other_rest, out=more)
+    (sign or np.add)(low, more, out=low)
+
+
 _SIGNED = {1: np.add, -1: np.subtract}
-_ADDENDS = {  # by number of factors: leading part and rest
-    1: lambda high, low: (high, low),
-    2: lambda one, one_rest, other, other_rest: (one * other, one * other_rest + one_rest * (other + other_rest)),
-}
+_ADDENDS = {1: _pair, 2: _two_factors}  # by number of factors
 
 
 def _blocks(target):
