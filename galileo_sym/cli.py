@@ -129,7 +129,7 @@ def parser() -> argparse.ArgumentParser:
         "--set", nargs="+", action="extend", type=_named_number, default=[], metavar="NAME=VALUE", help="constants"
     )
     scene.add_argument("--until", metavar="END", help="arrival, landing or forever")
-    scene.add_argument("--emit", metavar="LANGUAGE", help="write it as a self-contained file: c, to PATH")
+    scene.add_argument("--emit", metavar="LANGUAGE", help="write it as a self-contained file, c or numpy, to PATH")
     scene.add_argument("-o", "--output", metavar="PATH", help="of that file; its name is the function's")
     scene.add_argument("--lengths", type=_listed, metavar="AXIS=N,...", help="of the axes: counts are for all elements")
 

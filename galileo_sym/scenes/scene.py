@@ -7,7 +7,7 @@ from pathlib import Path
 
 from galileo_sym.files import write_whole
 from galileo_sym.generated._graphs import SYSTEMS
-from galileo_sym.scenes import c_source
+from galileo_sym.scenes import c_source, python_source
 from galileo_sym.scenes.arguments import (
     ENDS,
     checked_constant,
@@ -22,7 +22,7 @@ from galileo_sym.scenes.explain import explained
 from galileo_sym.scenes.numpy_run import evaluate
 from galileo_sym.scenes.results import plan_of
 
-EMITTED = {"c": c_source.source}
+EMITTED = {"c": c_source.source, "numpy": python_source.source}
 
 
 class Scene:
@@ -195,7 +195,8 @@ class Scene:
         language : str
             ``"c"``: C99 that compiles alone. The function has the name of the file without its ending, and takes for
             each axis its length and values, then work space (of as many bytes as the function of that name and
-            ``_work`` tells for the lengths), and where each output is written.
+            ``_work`` tells for the lengths), and where each output is written. ``"numpy"``: a Python module that needs
+            NumPy alone; the function of that name takes the axes and returns the outputs.
         path : path
             Of the file; what was there stays until the new one is complete.
 

@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 import pytest
-from scene_grids import CASES, OUTPUTS, axes, scene
+from scene_grids import OUTPUTS, axes, scene
 
 from galileo_sym import Scene
 from galileo_sym.libraries import NoCompilerError, find_compiler
@@ -39,7 +39,7 @@ def agree(one, other, ulp=1):
         assert np.all(np.abs(a[finite] - b[finite]) <= ulp * np.spacing(np.abs(b[finite])))
 
 
-@pytest.mark.parametrize(("system", "force_set"), CASES)
+@pytest.mark.parametrize(("system", "force_set"), [("chord", "friction_drag"), ("projectile", "drag")])
 def test_c_and_numpy_agree_at_the_ends_of_the_range_too(system, force_set, tmp_path, monkeypatch):
     monkeypatch.setenv(FOLDER, str(tmp_path))
     shown = scene(system, force_set, OUTPUTS[system])
@@ -51,12 +51,10 @@ def test_c_and_numpy_agree_at_the_ends_of_the_range_too(system, force_set, tmp_p
 @pytest.mark.parametrize(
     ("system", "force_set", "over", "until", "more"),
     [
-        ("chord", "friction_drag", ("t", "theta"), "arrival", {}),
         ("chord", "friction_drag", ("gamma", "t", "theta"), "arrival", {}),
         ("chord", "friction", ("mu", "theta"), "arrival", {"t": 0.3}),
         ("projectile", "drag", ("theta", "t"), "landing", {}),
-        ("projectile", "free", ("t", "theta", "g"), "landing", {}),
-        ("projectile", "drag", ("v", "theta"), "forever", {"t": 0.3}),
+        ("projectile", "free", ("v", "theta", "g"), "landing", {"t": 0.3}),
     ],
 )
 def test_other_axes_and_motions_that_end(system, force_set, over, until, more, tmp_path, monkeypatch):
