@@ -230,7 +230,11 @@ def check(directory=None):
         One line for each file that is missing, differs or is stale; empty if all agree.
     """
     directory = Path(directory or default_directory())
-    wanted = build()
+    return _differences(directory, build())
+
+
+def _differences(directory, wanted):
+    """Lines that say what in a directory differs from what is wanted."""
     present = _present(directory)
     lines = []
     for name in sorted(present | set(wanted)):
@@ -261,7 +265,7 @@ def emit(directory=None):
     """
     directory = Path(directory or default_directory())
     wanted = build()
-    changes = check(directory)
+    changes = _differences(directory, wanted)
     if not changes:
         return changes
     directory.mkdir(parents=True, exist_ok=True)

@@ -21,13 +21,17 @@ _DIGEST = (
 )
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="module", autouse=True)
 def files():
-    return build()
+    """What is built, once for all tests of this module."""
+    once = build()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(emission, "build", lambda: dict(once))
+        yield once
 
 
 @pytest.fixture(scope="module")
-def emitted(tmp_path_factory):
+def emitted(files, tmp_path_factory):
     directory = tmp_path_factory.mktemp("emitted") / "generated"
     assert all(line.startswith("missing: ") for line in emit(directory))
     return directory
