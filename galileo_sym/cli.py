@@ -101,7 +101,7 @@ def parser() -> argparse.ArgumentParser:
     emit.add_argument("-o", "--output", metavar="DIR", help="write there instead of generated/")
 
     verify = commands.add_parser("verify", help="measure errors in ulp against certain references", allow_abbrev=False)
-    verify.add_argument("names", nargs="*", metavar="FUNCTION", help="functions or papers; all if none is given")
+    verify.add_argument("names", nargs="*", metavar="FUNCTION", help="functions, papers, scenes; all if none is given")
     verify.add_argument("--points", type=_positive, metavar="N", help="points to sample in each stratum")
     verify.add_argument("--seed", type=int, metavar="S", help="of the sample")
     verify.add_argument("--stratum", action="append", default=[], metavar="NAME", help="only these strata")

@@ -15,6 +15,7 @@ from galileo_sym.progress import progress_bar
 from galileo_sym.rows import as_row, holds, listing
 
 PROCESSES = min(2, os.cpu_count() or 1)
+SCENES = "scenes"  # beside the names of functions, where errors are measured
 
 
 class UsageError(Exception):
@@ -112,11 +113,29 @@ def verify(options) -> int:
     contenders = _contenders() if options.typed_in else []
     if find_spec("flint") is None:
         raise UsageError("references are computed with Arb by python-flint: pip install python-flint")
+    codes, told = [], {}
+    functions = [name for name in options.names if name != SCENES]
+    if functions or not options.names:
+        with redirect_stdout(StringIO()) if options.json else nullcontext() as text:
+            codes.append(_verify_functions(options, functions, contenders))
+        if codes == [2]:
+            return 2
+        told = json.loads(text.getvalue()) if options.json else {}
+    if SCENES in options.names or not (options.names or options.stratum):
+        rows, problems = _verify_scenes(options)
+        codes.append(1 if problems else 0)
+        told[SCENES] = {"held": not problems, "problems": problems, "rows": rows}
+    if options.json:
+        print(json.dumps(told, indent=2))
+    return max(codes)
+
+
+def _verify_functions(options, names, contenders):
     from galileo_sym.verify import run
 
     with _bar(options, "verify") as progress:
         return run.run(
-            options.names,
+            names,
             points=options.points or run.DEFAULT_POINTS,
             seed=run.DEFAULT_SEED if options.seed is None else options.seed,
             update=options.update,
@@ -126,6 +145,17 @@ def verify(options) -> int:
             processes=PROCESSES,
             contenders=contenders,
         )
+
+
+def _verify_scenes(options):
+    """Rows and problems of the certificate of scenes; printed if they are not to be JSON."""
+    from galileo_sym import scene_certificate as certificate
+
+    seed = certificate.SEED if options.seed is None else options.seed
+    rows, problems = certificate.verify(options.points or certificate.POINTS, seed, options.update)
+    if not options.json:
+        certificate.tell(rows, problems)
+    return rows, problems
 
 
 def _contenders():

@@ -12,7 +12,7 @@ from .strata import strata_names
 from .ulp import rounded_up
 
 REMEDY = "run `galileo-sym verify --update` and review what changes"
-PROOFS = {"proofs.json", "tables.json"}  # written by `make prove`, in the same folder
+OTHERS = {"proofs.json", "tables.json", "scenes.json"}  # in the same folder, written by `make prove` and for scenes
 _ENTRY_KEYS = ("bound", "measured", "output", "worst", "points", "back_ends")
 
 
@@ -148,9 +148,9 @@ def read(folder, full_name):
 
 
 def stale(folder):
-    """Names of certificate files that belong to no function; but for the proved bounds."""
+    """Names of certificate files that belong to no function; but for proved bounds and scenes."""
     names = {path.name for path in Path(folder).glob("*.json") if path.stem not in FUNCTIONS}
-    return sorted(names - PROOFS)
+    return sorted(names - OTHERS)
 
 
 def write(folder, certificates):

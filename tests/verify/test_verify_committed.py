@@ -28,7 +28,7 @@ def test_committed_certificates_hold():
 def test_certificates_are_complete():
     folder = generated_folder() / "certificates"
     assert certificate.stale(folder) == []
-    assert sorted(path.stem for path in folder.iterdir()) == sorted([*FUNCTIONS, "proofs", "tables"])
+    assert sorted(path.stem for path in folder.iterdir()) == sorted([*FUNCTIONS, "proofs", "scenes", "tables"])
     for name in FUNCTIONS:
         records, faults = certificate.read(folder, name)
         assert faults == []

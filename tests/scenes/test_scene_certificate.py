@@ -1,0 +1,71 @@
+"""The certificate of scenes: complete, within its bound, held by fresh points; an error of 8 ulp is found."""
+
+import json
+
+import numpy as np
+import pytest
+
+from galileo_sym import scene_certificate
+from galileo_sym.cli import main
+from galileo_sym.scenes import Scene
+
+ROWS = json.loads(scene_certificate.path().read_text())["rows"]
+
+
+def test_the_committed_certificate_is_complete_and_within_its_bound():
+    places = [(row["system"], row["forces"], row["stratum"]) for row in ROWS]
+    assert len(set(places)) == len(places) == len(scene_certificate.variants()) * len(scene_certificate.STRATA)
+    assert all(0 < row["measured"] <= row["bound"] == scene_certificate.BOUND for row in ROWS)
+    assert all("numpy" in row["back_ends"] and row["points"] >= scene_certificate.POINTS for row in ROWS)
+    assert {row["subsets"] for row in ROWS} == {2**8 - 1, 2**6 - 1}
+
+
+@pytest.fixture
+def numpy_alone(monkeypatch):
+    monkeypatch.setattr(scene_certificate, "_back_ends", lambda scene: {"numpy": scene})
+
+
+@pytest.mark.usefixtures("numpy_alone")
+@pytest.mark.parametrize(("system", "forces"), scene_certificate.variants())
+def test_fresh_points_and_the_worst_one_recorded_are_within_the_bound(system, forces):
+    name = scene_certificate.force_set(system, forces)
+    (row,) = (r for r in ROWS if (r["system"], r["forces"], r["stratum"]) == (system, name, "typical"))
+    recorded = scene_certificate.from_hex(row["worst"])
+    fresh = scene_certificate.measure(system, forces, "typical", 8, 77, recorded)
+    assert row["measured"] * 0.99 <= fresh["measured"] <= scene_certificate.BOUND
+
+
+@pytest.mark.usefixtures("numpy_alone")
+def test_an_error_of_8_ulp_is_found(monkeypatch):
+    before = Scene.__call__
+    monkeypatch.setattr(
+        Scene, "__call__", lambda self, **given: tuple(x + 8 * np.spacing(x) for x in before(self, **given))
+    )
+    assert scene_certificate.measure("chord", ("gamma",), "typical", 4, 1)["measured"] > 6.0
+
+
+@pytest.mark.usefixtures("numpy_alone")
+def test_the_command_holds_scenes_beside_functions(monkeypatch, capsys):
+    monkeypatch.setattr(scene_certificate, "variants", lambda: [("projectile", ())])
+    assert main(["verify", "scenes", "--points", "8"]) == 0
+    assert "scenes: all held" in capsys.readouterr().out
+    monkeypatch.setattr(scene_certificate, "BOUND", 0.1)
+    assert main(["verify", "scenes", "--points", "8", "--json"]) == 1
+    told = json.loads(capsys.readouterr().out)["scenes"]
+    assert not told["held"]
+    assert "errs by" in told["problems"][0]
+
+
+@pytest.mark.usefixtures("numpy_alone")
+def test_an_update_is_written_only_if_all_held(monkeypatch, tmp_path):
+    monkeypatch.setattr(scene_certificate, "variants", lambda: [("projectile", ())])
+    monkeypatch.setattr(scene_certificate, "path", lambda: tmp_path / "scenes.json")
+    rows, problems = scene_certificate.verify(points=8, update=False)
+    assert "not in the certificate" in problems[0]
+    rows, problems = scene_certificate.verify(points=8, update=True, date="2026-11-24")
+    assert problems == []
+    assert json.loads((tmp_path / "scenes.json").read_text())["rows"] == rows
+    monkeypatch.setattr(scene_certificate, "BOUND", 0.1)
+    before = (tmp_path / "scenes.json").read_bytes()
+    assert scene_certificate.verify(points=8, update=True)[1]
+    assert (tmp_path / "scenes.json").read_bytes() == before
