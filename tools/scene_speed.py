@@ -91,6 +91,7 @@ def spindle(points, rounds):
     out = np.empty((points, points)), np.empty((points, points))
     shown = scene("chord", "friction_drag", ("x", "y"))
     made, row, column = shown.compile(), given["t"], given["theta"]
+    alone = shown.with_outputs("x")
     formula = compiled_formula("chord.position", "friction_drag")
     values = {"t": row[:, None], "theta": column, "g": 9.81, "mu": 0.36, "gamma": 0.5}
 
@@ -105,7 +106,7 @@ def spindle(points, rounds):
             "compiled scene": lambda: made(**given, out=out),
             "two np.multiply.outer": lambda: (np.multiply.outer(row, column), np.multiply.outer(row, column)),
             "two np.multiply.outer into arrays": lambda: [np.multiply.outer(row, column, out=array) for array in out],
-            "one output": lambda: shown.with_outputs("x")(**given, out=out[0]),
+            "one output": lambda: alone(**given, out=out[0]),
             "public function, point by point": pointwise("chord", "position", "friction_drag", given, out),
             "lambdify of the printed formula": typed,
         },

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+from keyword import iskeyword
 from math import isfinite
 from numbers import Real
 
@@ -12,6 +13,13 @@ from galileo_sym.generated._kernel import DOMAINS
 
 ENDS = {"chord": "arrival", "projectile": "landing"}
 _NEVER = "forever"
+# fmt: off
+_OF_C = frozenset({
+    "auto", "case", "char", "const", "default", "do", "double", "enum", "extern", "float", "goto", "inline", "int",
+    "long", "main", "register", "restrict", "short", "signed", "sizeof", "static", "struct", "switch", "typedef",
+    "union", "unsigned", "void", "volatile",
+})
+# fmt: on
 _WORDS = {
     "positive": "> 0",
     "nonnegative": ">= 0",
@@ -61,6 +69,12 @@ def checked_constant(name, value, row):
     if not (isfinite(value) and DOMAINS[domain][0](np.float64(value))):
         raise ValueError(f"{name} is {value!r} {unit}: it must be finite and {_WORDS[domain]}")
     return float(value)
+
+
+def check_function_name(name):
+    """Raise ValueError if functions of C and Python cannot have a name."""
+    if not (name.isascii() and name.isidentifier()) or name in _OF_C or iskeyword(name) or name.startswith("gs_"):
+        raise ValueError(f"{name!r} is no name of a function: name the file otherwise, with letters, digits and _")
 
 
 def checked_lengths(over, lengths):

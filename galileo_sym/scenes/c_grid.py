@@ -15,7 +15,7 @@ def grid_lines(nests):
         return []
     values = {axis: f"{axis}[i_{axis}]" for axis in plan.over}
     heads = {axis: used(admitted(axis, value, plan), body) for axis, value in values.items()}
-    return nested(plan.over, [f"const size_t k = {index(plan.over)};", *body], heads=heads)
+    return nested(plan.over, [f"const size_t cell = {index(plan.over)};", *body], heads=heads)
 
 
 def _point(nests, result):
@@ -29,7 +29,7 @@ def _point(nests, result):
         value, lines = _ended(nests, result.output, end, value)
     if lacking:
         value = f"{nests.ok(lacking)} ? {value} : NAN"
-    return [*lines, f"{result.output}[k] = {value};"]
+    return [*lines, f"{result.output}[cell] = {value};"]
 
 
 def _ended(nests, output, end, value):
@@ -134,7 +134,7 @@ def odd_lines(nests, name):
     body = [
         f"if ({condition}) {{",
         f"    double {', '.join(f'{result.output}_odd' for result in results)};",
-        f"    const size_t k = {index(nests.plan.over)};",
+        f"    const size_t cell = {index(nests.plan.over)};",
         f"    {name}_at_point({given});",
     ]
     for result in results:
@@ -143,7 +143,8 @@ def odd_lines(nests, name):
         if end:
             value, lines = _ended(nests, result.output, end, value)
         body += [
-            f"    {line}" for line in [*lines, f"if (!isnan({result.output}[k]))", f"    {result.output}[k] = {value};"]
+            f"    {line}"
+            for line in [*lines, f"if (!isnan({result.output}[cell]))", f"    {result.output}[cell] = {value};"]
         ]
     body += ["}"]
     values = {axis: f"{axis}[i_{axis}]" for axis in nests.plan.over}

@@ -7,7 +7,7 @@ import numpy as np
 from galileo_sym import _backend
 from galileo_sym.generated._kernel import DOMAINS
 
-_BLOCK = 8192  # points at a time where an output takes several operations: they stay in the cache
+_BLOCK = 32768  # points at a time where an output takes several operations: a few arrays stay in the cache
 
 
 def own_shape(axes, names, dimensions):

@@ -10,6 +10,7 @@ from galileo_sym.generated._graphs import SYSTEMS
 from galileo_sym.scenes import c_source, python_source
 from galileo_sym.scenes.arguments import (
     ENDS,
+    check_function_name,
     checked_constant,
     checked_lengths,
     checked_names,
@@ -207,8 +208,7 @@ class Scene:
         """
         path = Path(path)
         write = EMITTED[known_name(language, EMITTED, "language of emitted scenes", ValueError)]
-        if not (path.stem.isascii() and path.stem.isidentifier()):
-            raise ValueError(f"{path.stem!r} is no name of a function: name the file with letters, digits and _")
+        check_function_name(path.stem)
         write_whole(path, write(self.separate_plan, path.stem).encode())
 
     @cached_property

@@ -96,8 +96,9 @@ def test_without_drag_the_emitted_c_has_no_table_of_it():
 
 
 def test_an_emitted_file_is_named_as_its_function(tmp_path):
-    with pytest.raises(ValueError, match="no name of a function"):
-        SPINDLE.emit("c", tmp_path / "the-spindle.c")
+    for name in ("the-spindle.c", "int.c", "lambda.c", "gs_mul.c"):
+        with pytest.raises(ValueError, match="no name of a function"):
+            SPINDLE.emit("c", tmp_path / name)
     with pytest.raises(ValueError, match="no language"):
         SPINDLE.emit("fortran", tmp_path / "spindle.f90")
     assert list(tmp_path.iterdir()) == []
