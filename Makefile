@@ -7,7 +7,7 @@ STAMP := $(VENV)/.installed
 BUILT_OF := CMakeLists.txt $(wildcard generated/c/*.[ch] generated/extension/*.[ch])
 
 .DEFAULT_GOAL := all
-.PHONY: all install test mutants coverage tables exhaustive same-bits singles hard-cases prove prove-check sanitize large-samples bench lint format clean help
+.PHONY: all install test mutants coverage tables exhaustive same-bits singles hard-cases prove prove-check sanitize large-samples bench scene-blocks lint format clean help
 
 all: install ## install, then derive, emit and verify everything
 	@command -v "$${CC:-cc}" >/dev/null 2>&1 || command -v gcc >/dev/null 2>&1 || command -v clang >/dev/null 2>&1 \
@@ -62,6 +62,9 @@ large-samples: install ## verify every public function at 100000 points a stratu
 
 bench: install ## measure run time against error, beside peers, and renew docs/benchmark.md and its plot
 	$(BIN)/galileo-sym bench --peers --publish
+
+scene-blocks: install ## reduce a grid of 10^10 points block by block, and write another one to files; docs/scene_blocks.md
+	$(BIN)/python tools/scene_blocks.py --write
 
 lint: install ## style, floors of the architecture, the README's accuracy table
 	$(BIN)/ruff check .

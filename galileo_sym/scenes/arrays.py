@@ -1,5 +1,7 @@
 """Axes as arrays that broadcast to the grid, and the arrays that outputs are written to."""
 
+from itertools import accumulate
+
 import numpy as np
 
 from galileo_sym._types import DOUBLE, SINGLE, as_operand, common_dtype
@@ -9,30 +11,104 @@ from galileo_sym.generated._tables import HALF_PI
 _ANGLES = ("chord angle", "elevation")
 
 
-def axis_arrays(plan, given, grid):
-    """Return the axes as arrays of float64, the dtype of the outputs, and their shape.
+class Axes:
+    """Axes as they were given, laid out along the dimensions of the outputs.
 
     Parameters
     ----------
     plan : Plan
     given : dict of str to array_like
-        Values along each axis of the plan.
+        Values along each axis of the plan; dask arrays are computed where their values are asked for.
     grid : bool
-        Whether outputs are over the outer grid; else the arrays broadcast as they are.
+        Whether outputs are over the outer grid of the axes; else the arrays broadcast as they are.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        Of the outputs.
+    dtype : numpy.dtype
+        Of the outputs.
     """
-    arrays = {name: np.asarray(as_operand(given[name])) for name in plan.over}
-    dtype = common_dtype([np.asarray(x) for x in arrays.values()])
-    domains = dict(plan.domains)
-    wide = {name: _widened(array, domains[name]) for name, array in arrays.items()}
-    shapes = [array.shape for array in wide.values()]
-    if grid:
-        shape = tuple(length for one in shapes for length in one)
-        before = np.cumsum([0, *map(len, shapes)])
-        new = [(1,) * b + one + (1,) * (len(shape) - b - len(one)) for b, one in zip(before, shapes, strict=False)]
-    else:
-        shape = np.broadcast_shapes(*shapes)
-        new = [(1,) * (len(shape) - len(one)) + one for one in shapes]
-    return {name: a.reshape(s) for (name, a), s in zip(wide.items(), new, strict=True)}, dtype, shape
+
+    def __init__(self, plan, given, grid):
+        self._given = {name: _as_array(as_operand(given[name])) for name in plan.over}
+        self.dtype = common_dtype([np.empty(0, array.dtype) for array in self._given.values()])
+        self._domains = dict(plan.domains)
+        shapes = {name: array.shape for name, array in self._given.items()}
+        if grid:
+            self.shape = tuple(length for shape in shapes.values() for length in shape)
+            ends = np.cumsum([len(shape) for shape in shapes.values()])
+        else:
+            self.shape = np.broadcast_shapes(*shapes.values())
+            ends = [len(self.shape)] * len(shapes)
+        self._first = {name: int(end) - len(shapes[name]) for name, end in zip(shapes, ends, strict=True)}
+
+    def dimensions(self, names):
+        """Return the dimensions along which some axes vary, in order: a tuple."""
+        found = {
+            self._first[name] + place
+            for name in names
+            for place, length in enumerate(self._given[name].shape)
+            if length != 1
+        }
+        return tuple(sorted(found))
+
+    def lazy(self, name):
+        """Whether an axis is a dask array."""
+        return is_lazy(self._given[name])
+
+    def bounds(self, dimension):
+        """Return where the chunks of dask arrays along a dimension begin and end: a sorted list."""
+        found = {0, self.shape[dimension]}
+        for name, array in self._given.items():
+            place = dimension - self._first[name]
+            if is_lazy(array) and 0 <= place < len(array.shape) and array.shape[place] != 1:
+                found.update(accumulate(array.chunks[place]))
+        return sorted(found)
+
+    def values(self, name, block=None):
+        """Return an axis as float64 with the dimensions of the outputs: all of it, or what belongs to a block.
+
+        Parameters
+        ----------
+        name : str
+        block : tuple of (int, int), optional
+            First index and end along each dimension.
+        """
+        array, first = self._given[name], self._first[name]
+        if block is not None:
+            own = block[first : first + len(array.shape)]
+            pairs = zip(array.shape, own, strict=True)
+            array = array[tuple(slice(None) if length == 1 else slice(*span) for length, span in pairs)]
+        array = np.asarray(array)
+        after = len(self.shape) - first - array.ndim
+        return _widened(array, self._domains[name]).reshape((1,) * first + array.shape + (1,) * after)
+
+
+def axis_arrays(plan, given, grid):
+    """Return the axes as arrays of float64, the dtype of the outputs, and their shape: see `Axes`."""
+    laid = Axes(plan, given, grid)
+    return {name: laid.values(name) for name in plan.over}, laid.dtype, laid.shape
+
+
+def is_lazy(array):
+    """Whether an array is one of dask's."""
+    return hasattr(array, "__dask_graph__") and bool(getattr(array, "chunks", None))
+
+
+def _as_array(operand):
+    """An operand as an array; one of dask as it is.
+
+    Raises
+    ------
+    ValueError
+        For a dask array of unknown length.
+    """
+    if not is_lazy(operand):
+        return np.asarray(operand)
+    if any(length != length for length in operand.shape):  # noqa: PLR0124 (NaN stands for unknown)
+        raise ValueError("a dask array has chunks of unknown length: call its compute_chunk_sizes() first")
+    return operand
 
 
 def _widened(array, domain):

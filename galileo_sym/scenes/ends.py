@@ -4,34 +4,34 @@ from __future__ import annotations
 
 import numpy as np
 
-from galileo_sym.scenes.operations import factors
 from galileo_sym.scenes.points import own_shape, placed, spread
+from galileo_sym.scenes.sources import shown
 
 _CLEARLY = 2.0**-50  # share of a time by which it is surely before or after another one
 
 
-def ended(plan, axes, shape, outs, dtype, operations):
-    """Return the outputs of a plan whose motion ends, as `numpy_run.evaluate` does.
+def ended(plan, axes, shape, outs, dtype, source):
+    """Return the outputs of a plan whose motion ends, as `numpy_run.evaluate` does; factors come from a source.
 
     Times when nothing moves any more are left out before anything is computed, where times ascend and all outputs end.
     """
     time = axes["t"] if "t" in axes else np.full((1,) * len(shape), dict(plan.constants)["t"])
     early = time < 0.0
     time = np.where(early, 0.0, time)
-    arrival = _own(plan, plan.arrival, {}, axes, len(shape))
+    arrival = source.own(plan.arrival)
     all_end = len(plan.ends) == len(plan.results)
     moving, after = _split(time, arrival, len(shape)) if all_end else (..., None)
     some = {name: values[moving] if name == "t" else values for name, values in axes.items()}
     if "t" in axes:
         some["t"] = time[moving]
-    made = factors(plan, some, operations)
+    made = source.factors(moving)
     ends, outputs = {end.output: end for end in plan.ends}, []
     for result, out in zip(plan.results, outs, strict=True):
         end = ends.get(result.output)
         if end is None:
-            outputs.append(placed(plan, result, made, some, shape, out, dtype))
+            outputs.append(shown(plan, result, source, made, some, shape, out, dtype))
             continue
-        limit = _limit(plan, end, made, axes, arrival, len(shape))
+        limit = _limit(end, source, arrival)
         own = own_shape(axes, end.axes, len(shape))
         target = out if out is not None and own == shape else np.empty(own, dtype)
         part = target[moving]
@@ -43,16 +43,11 @@ def ended(plan, axes, shape, outs, dtype, operations):
     return outputs
 
 
-def _own(plan, result, made, axes, dimensions):
-    """A result on the axes it depends on."""
-    return placed(plan, result, made, axes, own_shape(axes, result.axes, dimensions), None, np.float64)
-
-
-def _limit(plan, end, made, axes, arrival, dimensions):
+def _limit(end, source, arrival):
     """Where an output ends: 0 for speeds and heights, and for beads that never arrive since they do not move."""
     if end.limit is None:
-        return np.zeros((1,) * dimensions)
-    return np.where(np.isinf(arrival), 0.0, _own(plan, end.limit, made, axes, dimensions))
+        return np.zeros((1,) * arrival.ndim)
+    return np.where(np.isinf(arrival), 0.0, source.own(end.limit))
 
 
 def _split(time, arrival, dimensions):

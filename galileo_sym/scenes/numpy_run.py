@@ -6,11 +6,11 @@ import numpy as np
 
 from galileo_sym.scenes.arrays import admitted_axes
 from galileo_sym.scenes.ends import ended
-from galileo_sym.scenes.operations import OPERATIONS, factors
-from galileo_sym.scenes.points import placed
+from galileo_sym.scenes.operations import OPERATIONS
+from galileo_sym.scenes.sources import Fresh, shown, started
 
 
-def evaluate(plan, axes, outs, dtype, operations=OPERATIONS):
+def evaluate(plan, axes, outs, dtype, operations=OPERATIONS, source=None):
     """Return the outputs of a plan at its points.
 
     Parameters
@@ -24,19 +24,22 @@ def evaluate(plan, axes, outs, dtype, operations=OPERATIONS):
         Of outputs that are made.
     operations : dict of str to callable, optional
         What carries out the steps.
+    source : object, optional
+        Where factors and ends come from, with the methods of `galileo_sym.scenes.sources.Fresh`, which is the default.
 
     Returns
     -------
     list of ndarray
     """
     shape = np.broadcast_shapes(*(values.shape for values in axes.values()))
-    admitted, void = admitted_axes(plan, axes)
+    within, void = admitted_axes(plan, axes)
+    source = source or Fresh(plan, started(plan, within), operations)
     if plan.arrival is None:
-        made = factors(plan, admitted, operations)
-        pairs = zip(plan.results, outs, strict=True)
-        outputs = [placed(plan, result, made, admitted, shape, out, dtype) for result, out in pairs]
+        made = source.factors()
+        each = zip(plan.results, outs, strict=True)
+        outputs = [shown(plan, result, source, made, within, shape, out, dtype) for result, out in each]
     else:
-        outputs = ended(plan, admitted, shape, outs, dtype, operations)
+        outputs = ended(plan, within, shape, outs, dtype, source)
     return [_voided(result, output, void) for result, output in zip(plan.results, outputs, strict=True)]
 
 

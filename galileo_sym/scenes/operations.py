@@ -40,20 +40,23 @@ OPERATIONS = {
 }
 
 
-def factors(plan, axes, operations=OPERATIONS):
-    """Return what each step of a plan gives, by name.
+def make_steps(steps, axes, operations, known):
+    """Return what each of some steps gives, by name.
 
     Parameters
     ----------
-    plan : Plan
+    steps : iterable of Step
+        In order.
     axes : dict of str to ndarray
         In their domains.
-    operations : dict of str to callable, optional
+    operations : dict of str to callable
         What carries out the steps.
+    known : dict of str to object
+        What earlier steps gave.
     """
-    made = {}
+    made = dict(known)
     with quiet():
-        for step in plan.steps:
+        for step in steps:
             if step.operation in ("load", "angle"):
                 (operand,) = step.operands
                 operands = (axes[operand] if isinstance(operand, str) else np.float64(operand),)

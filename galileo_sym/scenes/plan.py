@@ -159,6 +159,22 @@ class Plan:
         return total
 
 
+def needed(steps, results):
+    """Return those of some steps that results take, and those that these take, in order."""
+    wanted = {name for result in results for name in names_in(result.operands)}
+    for step in reversed(steps):
+        if step.name in wanted:
+            wanted.update(names_in(step.operands))
+    return tuple(step for step in steps if step.name in wanted)
+
+
+def names_in(operands):
+    """Return the names in nested operands: a set."""
+    if isinstance(operands, str):
+        return {operands}
+    return set().union(*map(names_in, operands)) if isinstance(operands, tuple) else set()
+
+
 def _charge(total, axes, counts, times):
     if counts:
         total.setdefault(axes, Counter()).update({kind: count * times for kind, count in counts.items()})

@@ -9,7 +9,7 @@ from galileo_sym.generated._functions import FUNCTIONS
 from galileo_sym.generated._graphs import SYSTEMS
 from galileo_sym.scenes import folding
 from galileo_sym.scenes.forms import Term, calls_of, symbols_of, terms_of
-from galileo_sym.scenes.plan import End, Plan, Result
+from galileo_sym.scenes.plan import End, Plan, Result, needed
 from galileo_sym.scenes.specialise import Specialiser
 
 _OF_ANGLE = ("sine", "cosine", "driving")
@@ -69,7 +69,7 @@ def plan_of(system, over, constants, outputs, *, direct, ending=False):
         ends = tuple(_end(specialiser, system, r, arrival, partial(result, split=False)) for r in ending_ones)
     domains = {name: domain for name, (domain, _) in SYSTEMS[system]["arguments"].items()}
     plan = Plan(system, over, tuple(constants.items()), tuple(domains.items()), (), results, arrival, ends)
-    return replace(plan, steps=_needed(specialiser.made, plan.all_results))
+    return replace(plan, steps=needed(tuple(specialiser.made.values()), plan.all_results))
 
 
 def _end(specialiser, system, result, arrival, of_output):
@@ -90,22 +90,6 @@ def _limit(specialiser, result, terms):
     row = {"at_rest": 0.0, "function": None}
     operation, operands, text = _made(specialiser, row, terms, axes, False, False)
     return Result(f"{result.output} at arrival", axes, operation, operands, None, None, (), 0, text)
-
-
-def _needed(made, results):
-    """The steps that results take, and those that these take, in order."""
-    wanted = {name for result in results for name in _names(result.operands)}
-    for step in reversed(made.values()):
-        if step.name in wanted:
-            wanted.update(_names(step.operands))
-    return tuple(step for step in made.values() if step.name in wanted)
-
-
-def _names(operands):
-    """The names in nested operands."""
-    if isinstance(operands, str):
-        return {operands}
-    return set().union(*map(_names, operands)) if isinstance(operands, tuple) else set()
 
 
 def _result(specialiser, system, acting, output, direct, split):

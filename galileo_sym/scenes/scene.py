@@ -18,6 +18,7 @@ from galileo_sym.scenes.arguments import (
     when_it_ends,
 )
 from galileo_sym.scenes.arrays import axis_arrays, checked_outs
+from galileo_sym.scenes.blocks import blocks_of
 from galileo_sym.scenes.compiled import compiled
 from galileo_sym.scenes.explain import explained
 from galileo_sym.scenes.numpy_run import evaluate
@@ -167,11 +168,14 @@ class Scene:
         found = tuple(array[()] if not shape else array for array in found)
         return found[0] if self.alone else found
 
-    def checked_axes(self, axes):
-        """Return axes by name if they are those of the scene; else raise TypeError."""
-        missing = [name for name in self.over if name not in axes]
+    blocks = blocks_of
+
+    def checked_axes(self, axes, over=None):
+        """Return axes by name if they are those of the scene, or those of some names; else raise TypeError."""
+        over = self.over if over is None else over
+        missing = [name for name in over if name not in axes]
         for name in axes:
-            known_name(name, self.over, "axis of this scene", TypeError)
+            known_name(name, over, "axis that varies here", TypeError)
         if missing:
             raise TypeError(f"the scene is over {', '.join(self.over)}: give {missing[0]}=")
         return axes

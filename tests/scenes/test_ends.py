@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from galileo_sym import Scene, chord, projectile
-from galileo_sym.scenes import ends
+from galileo_sym.scenes import operations
 
 GIVEN = {"g": 9.81, "mu": 0.36, "gamma": 0.5}
 BEADS = Scene("chord", over=("t", "theta"), outputs=("x", "y", "distance", "speed"), diameter=1.3, **GIVEN)
@@ -47,15 +47,16 @@ def test_the_order_of_times_does_not_matter(scene):
 
 def test_times_after_the_last_arrival_are_not_computed(monkeypatch):
     seen = []
-    before = ends.factors
-    monkeypatch.setattr(ends, "factors", lambda plan, axes, run: seen.append(axes["t"].size) or before(plan, axes, run))
+    before = operations.OPERATIONS["phi2m"]
+    monkeypatch.setitem(operations.OPERATIONS, "phi2m", lambda z: seen.append(z.hi.size) or before(z))
     late = np.linspace(0.0, 100.0, 1000)
     theta = np.array([-1.5, -0.8, 0.0, 0.7, 1.1])  # the first bead does not move at all
     x, *_ = BEADS(t=late, theta=theta)
     last = chord.descent_time(theta[1:], diameter=1.3, **GIVEN).max()
-    assert seen == [np.sum(late <= last)]
-    assert np.all(x[-1] == x[seen[0]])
-    assert seen[0] < 100
+    moving = np.sum(late <= last)
+    assert seen == [moving]
+    assert np.all(x[-1] == x[moving])
+    assert moving < 100
 
 
 def test_out_types_missing_values_and_other_axes():

@@ -26,7 +26,7 @@ REFUSED = [
     (ValueError, "give diameter=", lambda: Scene("chord", **GIVEN, until="arrival")),
     (ValueError, "no end of", lambda: Scene("chord", **GIVEN, until="landing")),
     (TypeError, "give theta=", lambda: SPINDLE(t=T)),
-    (TypeError, "no axis of this scene", lambda: SPINDLE(t=T, theta=THETA, g=9.81)),
+    (TypeError, "no axis that varies here", lambda: SPINDLE(t=T, theta=THETA, g=9.81)),
     (TypeError, "give the length of every axis", lambda: SPINDLE.cost(t=3)),
     (
         ValueError,
