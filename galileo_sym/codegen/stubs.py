@@ -21,6 +21,13 @@ _OPTIONS = (
     ("dtype", "DTypeLike | None", "None"),
     ("casting", "_Casting", '"same_kind"'),
 )
+# Public functions that are not emitted: they are made of what is.
+_MADE = {
+    "chord": {
+        "synchronous_curve": "t: ArrayLike, n: int, *, g: ArrayLike, mu: ArrayLike = 0.0, gamma: ArrayLike = 0.0, "
+        "{options}) -> tuple[NDArray[Any], NDArray[Any]]"
+    }
+}
 _DOCS = {
     "chord": "Beads sliding from rest along chords from the top of a vertical circle.",
     "lambert": "Both real branches of the Lambert W function, and the real roots of a t + b + c exp(d t) = 0.",
@@ -49,9 +56,12 @@ def _overloads(function):
 
 def public_stub(paper):
     """Return the stub of a public module."""
-    functions = sorted((f for f in FUNCTIONS.values() if f.paper == paper), key=lambda f: f.name)
-    names = ", ".join(f'"{function.name}"' for function in functions)
-    return _HEAD.format(doc=_DOCS[paper], names=names) + "\n" + "\n".join(map(_overloads, functions))
+    stubs = {f.name: _overloads(f) for f in FUNCTIONS.values() if f.paper == paper}
+    options = ", ".join(f"{name}: {of} = {default}" for name, of, default in _OPTIONS)
+    for name, rest in _MADE.get(paper, {}).items():
+        stubs[name] = f"def {name}({rest.format(options=options)}: ...\n"
+    names = ", ".join(f'"{name}"' for name in sorted(stubs))
+    return _HEAD.format(doc=_DOCS[paper], names=names) + "\n" + "\n".join(stubs[name] for name in sorted(stubs))
 
 
 def special_stub():

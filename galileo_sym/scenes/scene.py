@@ -20,6 +20,7 @@ from galileo_sym.scenes.arguments import (
 from galileo_sym.scenes.arrays import axis_arrays, checked_outs
 from galileo_sym.scenes.blocks import blocks_of
 from galileo_sym.scenes.compiled import compiled
+from galileo_sym.scenes.curves import curve_of
 from galileo_sym.scenes.explain import explained
 from galileo_sym.scenes.numpy_run import evaluate
 from galileo_sym.scenes.results import plan_of
@@ -169,6 +170,7 @@ class Scene:
         return found[0] if self.alone else found
 
     blocks = blocks_of
+    curve = curve_of
 
     def checked_axes(self, axes, over=None):
         """Return axes by name if they are those of the scene, or those of some names; else raise TypeError."""

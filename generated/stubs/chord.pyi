@@ -6,7 +6,7 @@ from typing import Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-__all__ = ["descent_time", "distance", "max_angle", "position", "speed", "synchronous_circle"]
+__all__ = ["descent_time", "distance", "max_angle", "position", "speed", "synchronous_circle", "synchronous_curve"]
 
 _Casting = Literal["no", "equiv", "safe", "same_kind", "unsafe"]
 
@@ -39,3 +39,5 @@ def speed(t: ArrayLike, theta: ArrayLike, *, g: ArrayLike, mu: ArrayLike = 0.0, 
 def synchronous_circle(t: float, *, g: float, mu: float = 0.0, gamma: float = 0.0, out: None = None, where: Literal[True] = True, dtype: None = None, casting: _Casting = "same_kind") -> tuple[np.float64, np.float64, np.float64]: ...
 @overload
 def synchronous_circle(t: ArrayLike, *, g: ArrayLike, mu: ArrayLike = 0.0, gamma: ArrayLike = 0.0, out: NDArray[Any] | tuple[NDArray[Any] | None, ...] | None = None, where: ArrayLike = True, dtype: DTypeLike | None = None, casting: _Casting = "same_kind") -> tuple[Any, Any, Any]: ...
+
+def synchronous_curve(t: ArrayLike, n: int, *, g: ArrayLike, mu: ArrayLike = 0.0, gamma: ArrayLike = 0.0, out: NDArray[Any] | tuple[NDArray[Any] | None, ...] | None = None, where: ArrayLike = True, dtype: DTypeLike | None = None, casting: _Casting = "same_kind") -> tuple[NDArray[Any], NDArray[Any]]: ...
