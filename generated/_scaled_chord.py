@@ -49,7 +49,7 @@ def descent_time_friction(theta, diameter, g, mu):
     time [s]: descent time
 
     From stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
-    Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt.
+    Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt.
     """
     arguments, void = admit(
         (theta, "chord angle"),
@@ -67,7 +67,7 @@ def descent_time_friction(theta, diameter, g, mu):
         C = cosine(a)
         n = driving(a, mu)
         n, rest = moving(n)
-        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+        t0 = sqrt(scale(div(mul(D, C), mul(g, n)), 1))
         time = t0
     return settle(time, void, undecided_time, rest=rest, at_rest=inf)
 
@@ -117,7 +117,7 @@ def descent_time_friction_drag(theta, diameter, g, mu, gamma):
     time [s]: descent time
 
     From stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
-    Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table.
+    Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table.
     """
     arguments, void = admit(
         (theta, "chord angle"),
@@ -137,7 +137,7 @@ def descent_time_friction_drag(theta, diameter, g, mu, gamma):
         C = cosine(a)
         n = driving(a, mu)
         n, rest = moving(n)
-        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+        t0 = sqrt(scale(div(mul(D, C), mul(g, n)), 1))
         p = mul(gamma, t0)
         time = mul(t0, descent_factor(p))
     return settle(time, void, undecided_time, rest=rest, at_rest=inf)

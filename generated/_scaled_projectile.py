@@ -35,7 +35,7 @@ def flight_time_free(theta, v, g):
         g = load(g)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(div(v, g), S)
         time = scale(rise, 1)
     return settle(time, void, undecided_time)
 
@@ -68,7 +68,7 @@ def flight_time_drag(theta, v, g, k):
         k = load(k)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(div(v, g), S)
         b = mul(k, rise)
         time = scale(mul(rise, flight_factor(b)), 1)
     return settle(time, void, undecided_time)
@@ -99,7 +99,7 @@ def horizontal_range_free(theta, v, g):
         g = load(g)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(div(v, g), S)
         C = cosine(a)
         range = scale(mul(mul(v, rise), C), 1)
     return settle(range, void, undecided_range)
@@ -133,7 +133,7 @@ def horizontal_range_drag(theta, v, g, k):
         k = load(k)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(div(v, g), S)
         C = cosine(a)
         b = mul(k, rise)
         range = scale(mul(mul(mul(v, rise), C), range_factor(b)), 1)
@@ -333,7 +333,7 @@ def range_slope_theta_free(theta, v, g):
         a = angle(theta)
         C = cosine(a)
         S = sine(a)
-        slope = scale(div(mul(mul(v, v), sub(mul(C, C), mul(S, S))), g), 1)
+        slope = scale(mul(div(mul(v, v), g), sub(mul(C, C), mul(S, S))), 1)
     return settle(slope, void, undecided_slope)
 
 
@@ -366,9 +366,9 @@ def range_slope_theta_drag(theta, v, g, k):
         a = angle(theta)
         C = cosine(a)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(div(v, g), S)
         b = mul(k, rise)
-        slope = scale(div(mul(mul(mul(v, v), sub(mul(mul(C, C), range_balance(b)), mul(S, S))), range_factor(b)), g), 1)
+        slope = scale(mul(mul(div(mul(v, v), g), sub(mul(mul(C, C), range_balance(b)), mul(S, S))), range_factor(b)), 1)
     return settle(slope, void, undecided_slope)
 
 
@@ -397,9 +397,9 @@ def range_slope_k_free(theta, v, g):
         g = load(g)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(div(v, g), S)
         C = cosine(a)
-        slope = scale(div(mul(constant(-1.0), div(mul(mul(mul(mul(v, v), rise), C), S), g)), constant(3.0)), 3)
+        slope = scale(div(mul(constant(-1.0), mul(mul(mul(div(mul(v, v), g), rise), C), S)), constant(3.0)), 3)
     return settle(slope, void, undecided_slope)
 
 
@@ -431,10 +431,10 @@ def range_slope_k_drag(theta, v, g, k):
         k = load(k)
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(div(v, g), S)
         C = cosine(a)
         b = mul(k, rise)
-        slope = scale(mul(constant(-1.0), div(mul(mul(mul(mul(mul(v, v), rise), C), S), range_loss(b)), g)), 1)
+        slope = scale(mul(constant(-1.0), mul(mul(mul(mul(div(mul(v, v), g), rise), C), S), range_loss(b))), 1)
     return settle(slope, void, undecided_slope)
 
 
@@ -488,7 +488,7 @@ def max_range_drag(v, g, k):
         g = load(g)
         k = load(k)
         alpha = div(mul(v, k), g)
-        range = div(mul(mul(v, v), max_range_factor(alpha)), g)
+        range = mul(div(mul(v, v), g), max_range_factor(alpha))
     return settle(range, void, undecided_range)
 
 
@@ -547,7 +547,7 @@ def launch_angles_drag_balance(z, alpha):
     return Balance(
         square=sub(mul(mul(Z, phi1), phi1), mul(mul(Z, fall), phi2)),
         slope=mul(sub(fade, fall), phi1),
-        bend=add(add(scale(div(mul(mul(alpha, sub(fade, fall)), sub(phi1, phi2)), z), -1), scale(div(mul(mul(alpha, fade), phi1), z), -1)), scale(mul(phi1, phi1), -1)),
+        bend=add(add(scale(mul(mul(div(alpha, z), sub(fade, fall)), sub(phi1, phi2)), -1), scale(mul(mul(div(alpha, z), fade), phi1), -1)), scale(mul(phi1, phi1), -1)),
         rise=fall,
         lean=scale(phi1, -1),
     )

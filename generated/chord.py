@@ -61,7 +61,7 @@ def _descent_time_friction_arrays(theta, diameter, g, mu, lanes):
     a = angle(theta)
     C = cosine(a)
     n = driving(a, mu, lanes)
-    t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+    t0 = sqrt(scale(div(mul(D, C), mul(g, n)), 1))
     return (lanes.rested(t0.x, inf),)
 
 
@@ -74,7 +74,7 @@ def _descent_time_friction_values(diameter, g, mu):
         a = angle(theta)
         C = cosine(a)
         n = driving(a, mu, lanes)
-        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+        t0 = sqrt(scale(div(mul(D, C), mul(g, n)), 1))
         return (lanes.rested(t0.x, inf),)
 
     return each
@@ -102,7 +102,7 @@ def descent_time_friction(theta, diameter, g, mu):
     time [s]: descent time
 
     From stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
-    Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt.
+    Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt.
     """
     return serve(_DESCENT_TIME_FRICTION, (theta, diameter, g, mu))
 
@@ -165,7 +165,7 @@ def _descent_time_friction_drag_arrays(theta, diameter, g, mu, gamma, lanes):
     a = angle(theta)
     C = cosine(a)
     n = driving(a, mu, lanes)
-    t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+    t0 = sqrt(scale(div(mul(D, C), mul(g, n)), 1))
     p = mul(gamma, t0)
     return (lanes.rested(mul(t0, descent_factor(p)).x, inf),)
 
@@ -180,7 +180,7 @@ def _descent_time_friction_drag_values(diameter, g, mu, gamma):
         a = angle(theta)
         C = cosine(a)
         n = driving(a, mu, lanes)
-        t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))
+        t0 = sqrt(scale(div(mul(D, C), mul(g, n)), 1))
         p = mul(gamma, t0)
         return (lanes.rested(mul(t0, descent_factor(p)).x, inf),)
 
@@ -210,7 +210,7 @@ def descent_time_friction_drag(theta, diameter, g, mu, gamma):
     time [s]: descent time
 
     From stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
-    Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table.
+    Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table.
     """
     return serve(_DESCENT_TIME_FRICTION_DRAG, (theta, diameter, g, mu, gamma))
 

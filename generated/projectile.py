@@ -15,18 +15,19 @@ def _flight_time_free_arrays(theta, v, g, lanes):
     g = load(g)
     a = angle(theta)
     S = sine(a)
-    rise = div(mul(v, S), g)
+    rise = mul(div(v, g), S)
     return (scale(rise, 1).x,)
 
 
 def _flight_time_free_values(v, g):
     v = load(v)
     g = load(g)
+    once1 = div(v, g)
 
     def each(theta, lanes):
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(once1, S)
         return (scale(rise, 1).x,)
 
     return each
@@ -64,7 +65,7 @@ def _flight_time_drag_arrays(theta, v, g, k, lanes):
     k = rate(k)
     a = angle(theta)
     S = sine(a)
-    rise = div(mul(v, S), g)
+    rise = mul(div(v, g), S)
     b = mul(k, rise)
     return (scale(mul(rise, flight_factor(b)), 1).x,)
 
@@ -73,11 +74,12 @@ def _flight_time_drag_values(v, g, k):
     v = load(v)
     g = load(g)
     k = rate(k)
+    once1 = div(v, g)
 
     def each(theta, lanes):
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(once1, S)
         b = mul(k, rise)
         return (scale(mul(rise, flight_factor(b)), 1).x,)
 
@@ -116,7 +118,7 @@ def _horizontal_range_free_arrays(theta, v, g, lanes):
     g = load(g)
     a = angle(theta)
     S = sine(a)
-    rise = div(mul(v, S), g)
+    rise = mul(div(v, g), S)
     C = cosine(a)
     return (scale(mul(mul(v, rise), C), 1).x,)
 
@@ -124,11 +126,12 @@ def _horizontal_range_free_arrays(theta, v, g, lanes):
 def _horizontal_range_free_values(v, g):
     v = load(v)
     g = load(g)
+    once1 = div(v, g)
 
     def each(theta, lanes):
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(once1, S)
         C = cosine(a)
         return (scale(mul(mul(v, rise), C), 1).x,)
 
@@ -167,7 +170,7 @@ def _horizontal_range_drag_arrays(theta, v, g, k, lanes):
     k = rate(k)
     a = angle(theta)
     S = sine(a)
-    rise = div(mul(v, S), g)
+    rise = mul(div(v, g), S)
     C = cosine(a)
     b = mul(k, rise)
     return (scale(mul(mul(mul(v, rise), C), range_factor(b)), 1).x,)
@@ -177,11 +180,12 @@ def _horizontal_range_drag_values(v, g, k):
     v = load(v)
     g = load(g)
     k = rate(k)
+    once1 = div(v, g)
 
     def each(theta, lanes):
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(once1, S)
         C = cosine(a)
         b = mul(k, rise)
         return (scale(mul(mul(mul(v, rise), C), range_factor(b)), 1).x,)
@@ -450,19 +454,19 @@ def _range_slope_theta_free_arrays(theta, v, g, lanes):
     a = angle(theta)
     C = cosine(a)
     S = sine(a)
-    return (scale(div(mul(mul(v, v), sub(mul(C, C), mul(S, S))), g), 1).x,)
+    return (scale(mul(div(mul(v, v), g), sub(mul(C, C), mul(S, S))), 1).x,)
 
 
 def _range_slope_theta_free_values(v, g):
     v = load(v)
     g = load(g)
-    once1 = mul(v, v)
+    once1 = div(mul(v, v), g)
 
     def each(theta, lanes):
         a = angle(theta)
         C = cosine(a)
         S = sine(a)
-        return (scale(div(mul(once1, sub(mul(C, C), mul(S, S))), g), 1).x,)
+        return (scale(mul(once1, sub(mul(C, C), mul(S, S))), 1).x,)
 
     return each
 
@@ -500,24 +504,25 @@ def _range_slope_theta_drag_arrays(theta, v, g, k, lanes):
     a = angle(theta)
     C = cosine(a)
     S = sine(a)
-    rise = div(mul(v, S), g)
+    rise = mul(div(v, g), S)
     b = mul(k, rise)
-    return (scale(div(mul(mul(mul(v, v), sub(mul(mul(C, C), range_balance(b, lanes)), mul(S, S))), range_factor(b)), g), 1).x,)
+    return (scale(mul(mul(div(mul(v, v), g), sub(mul(mul(C, C), range_balance(b, lanes)), mul(S, S))), range_factor(b)), 1).x,)
 
 
 def _range_slope_theta_drag_values(v, g, k):
     v = load(v)
     g = load(g)
     k = rate(k)
-    once1 = mul(v, v)
+    once1 = div(v, g)
+    once2 = div(mul(v, v), g)
 
     def each(theta, lanes):
         a = angle(theta)
         C = cosine(a)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(once1, S)
         b = mul(k, rise)
-        return (scale(div(mul(mul(once1, sub(mul(mul(C, C), range_balance(b, lanes)), mul(S, S))), range_factor(b)), g), 1).x,)
+        return (scale(mul(mul(once2, sub(mul(mul(C, C), range_balance(b, lanes)), mul(S, S))), range_factor(b)), 1).x,)
 
     return each
 
@@ -554,22 +559,23 @@ def _range_slope_k_free_arrays(theta, v, g, lanes):
     g = load(g)
     a = angle(theta)
     S = sine(a)
-    rise = div(mul(v, S), g)
+    rise = mul(div(v, g), S)
     C = cosine(a)
-    return (scale(div(mul(constant(-1.0), div(mul(mul(mul(mul(v, v), rise), C), S), g)), constant(3.0)), 3).x,)
+    return (scale(div(mul(constant(-1.0), mul(mul(mul(div(mul(v, v), g), rise), C), S)), constant(3.0)), 3).x,)
 
 
 def _range_slope_k_free_values(v, g):
     v = load(v)
     g = load(g)
-    once1 = mul(v, v)
+    once1 = div(v, g)
+    once2 = div(mul(v, v), g)
 
     def each(theta, lanes):
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(once1, S)
         C = cosine(a)
-        return (scale(div(mul(constant(-1.0), div(mul(mul(mul(once1, rise), C), S), g)), constant(3.0)), 3).x,)
+        return (scale(div(mul(constant(-1.0), mul(mul(mul(once2, rise), C), S)), constant(3.0)), 3).x,)
 
     return each
 
@@ -606,25 +612,26 @@ def _range_slope_k_drag_arrays(theta, v, g, k, lanes):
     k = rate(k)
     a = angle(theta)
     S = sine(a)
-    rise = div(mul(v, S), g)
+    rise = mul(div(v, g), S)
     C = cosine(a)
     b = mul(k, rise)
-    return (scale(mul(constant(-1.0), div(mul(mul(mul(mul(mul(v, v), rise), C), S), range_loss(b)), g)), 1).x,)
+    return (scale(mul(constant(-1.0), mul(mul(mul(mul(div(mul(v, v), g), rise), C), S), range_loss(b))), 1).x,)
 
 
 def _range_slope_k_drag_values(v, g, k):
     v = load(v)
     g = load(g)
     k = rate(k)
-    once1 = mul(v, v)
+    once1 = div(v, g)
+    once2 = div(mul(v, v), g)
 
     def each(theta, lanes):
         a = angle(theta)
         S = sine(a)
-        rise = div(mul(v, S), g)
+        rise = mul(once1, S)
         C = cosine(a)
         b = mul(k, rise)
-        return (scale(mul(constant(-1.0), div(mul(mul(mul(mul(once1, rise), C), S), range_loss(b)), g)), 1).x,)
+        return (scale(mul(constant(-1.0), mul(mul(mul(mul(once2, rise), C), S), range_loss(b))), 1).x,)
 
     return each
 
@@ -692,7 +699,7 @@ def _max_range_drag_arrays(v, g, k, lanes):
     g = load(g)
     k = rate(k)
     alpha = div(mul(v, k), g)
-    return (div(mul(mul(v, v), max_range_factor(alpha)), g).x,)
+    return (mul(div(mul(v, v), g), max_range_factor(alpha)).x,)
 
 
 _MAX_RANGE_DRAG = Form(

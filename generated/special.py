@@ -19,7 +19,6 @@ from ._pieces import (
     PHI2M_TAIL,
     DESCENT_FACTOR,
     FLIGHT_FACTOR,
-    FLIGHT_TAIL,
     RANGE_FACTOR,
     RANGE_TAIL,
     BEST_SINE,
@@ -344,7 +343,7 @@ def descent_factor_pair(x, x_lo):
 
 
 def _flight_factor_0(x):
-    """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [0.0, 15.0)."""
+    """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [0.0, 255.0)."""
     f, f_lo = near(FLIGHT_FACTOR, x)
     r = f
     lo = f_lo
@@ -360,22 +359,6 @@ def _flight_factor_0_pair(x, x_lo):
 
 
 def _flight_factor_1(x):
-    """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [15.0, 255.0)."""
-    f, f_lo = near(FLIGHT_TAIL, x)
-    r = f
-    lo = f_lo
-    return r, lo
-
-
-def _flight_factor_1_pair(x, x_lo):
-    """The same at x + x_lo."""
-    f, f_lo = near_pair(FLIGHT_TAIL, x, x_lo)
-    r = f
-    lo = f_lo
-    return r, lo
-
-
-def _flight_factor_2(x):
     """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [255.0, inf]."""
     y_q = 0.5 / x
     y_finite = np.minimum(x, 1.7976931348623157e+308)
@@ -394,7 +377,7 @@ def _flight_factor_2(x):
     return r, lo
 
 
-def _flight_factor_2_pair(x, x_lo):
+def _flight_factor_1_pair(x, x_lo):
     """The same at x + x_lo."""
     y_q = 0.5 / x
     y_finite = np.minimum(x, 1.7976931348623157e+308)
@@ -420,9 +403,8 @@ _FLIGHT_FACTOR = {
     "parity": "",
     "pole": None,
     "forms": (
-        (-inf, 15.0, _flight_factor_0, _flight_factor_0_pair),
-        (15.0, 255.0, _flight_factor_1, _flight_factor_1_pair),
-        (255.0, inf, _flight_factor_2, _flight_factor_2_pair),
+        (-inf, 255.0, _flight_factor_0, _flight_factor_0_pair),
+        (255.0, inf, _flight_factor_1, _flight_factor_1_pair),
     ),
 }
 

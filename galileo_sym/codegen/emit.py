@@ -19,6 +19,7 @@ from galileo_sym.codegen import (
     amalgamation,
     blocks,
     c99,
+    factors,
     frames,
     graphs,
     kernels,
@@ -136,10 +137,10 @@ def _sources():
     files["c/galileo_frames.h"] = _c("the frames of galileo_sym.primitives", frames.frames_header())
     files["c/galileo_pairs.h"] = _c("the frames of galileo_sym.primitives", pairs.pairs_header())
     arithmetic = _template("c/galileo_lanes.h").replace("@TURN@\n", lanes.turn_tables())
-    arithmetic = arithmetic.replace("@FACTORS@\n", lanes.factors())
+    arithmetic = arithmetic.replace("@FACTORS@\n", factors.of_pairs())
     files["c/galileo_lanes.h"] = _c("templates/c/galileo_lanes.h", arithmetic)
     files["c/galileo_lean.h"] = _c("the frames of galileo_sym.primitives", lean.lean_header())
-    single = _template("c/galileo_single.h").replace("@CALLS@\n", lean.calls())
+    single = _template("c/galileo_single.h").replace("@CALLS@\n", factors.of_doubles())
     files["c/galileo_single.h"] = _c("templates/c/galileo_single.h", single)
     files["c/galileo_blocks.h"] = _c(
         "templates/c/galileo_blocks.h", blocks.blocks_header(_template("c/galileo_blocks.h"))

@@ -2,115 +2,28 @@
 
 For arguments of ordinary size; other lanes are handed to the scaled form, which comes from the same schedule. Each form
 is emitted twice: with an array for every argument, and with one value for each keyword argument, where what depends on
-those alone is computed once.
+those alone is computed once. It goes over blocks of vectors, in one loop for each stage.
 """
 
-from dataclasses import dataclass
-
-from galileo_sym.codegen.hoisting import hoisted, operands_of
+from galileo_sym.codegen.arithmetic import call_text, is_rate, size_of
+from galileo_sym.codegen.hoisting import hoisted
 from galileo_sym.codegen.printing import counts_text, sources_text
 from galileo_sym.codegen.schedule import schedule
 from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name
+from galileo_sym.codegen.stages import divided, names_in
 
+_ALONE = {"sine": "sine_of", "cosine": "cosine_of"}
 _AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
 
 
-@dataclass(frozen=True)
-class Arithmetic:
-    """How a form computes: C types, what its operations begin with, and which of them may fail in a lane.
-
-    ``kind`` is the type of arguments and results; ``number`` and ``turn`` the types of values
-    and angles. ``load``, ``store``, ``padded`` name what moves vectors; ``taken`` makes a number of a lane's argument,
-    ``rate`` of one that is a rate, ``value`` a lane's result of a number; ``widened`` makes a double of an argument for
-    the scaled form. ``ordinary`` tests arguments by domain; ``failing`` gives the masks that an operation changes.
-    """
-
-    kind: str
-    prefix: str
-    number: str
-    turn: str
-    load: str
-    store: str
-    padded: str
-    taken: str
-    rate: str
-    value: str
-    widened: dict
-    ordinary: dict
-    failing: dict
-
-
-DOUBLE = Arithmetic(
-    kind="double",
-    prefix="gs_vp_",
-    number="gs_vp",
-    turn="gs_turn",
-    load="gs_v_load",
-    store="gs_v_store",
-    padded="gs_padded",
-    taken="gs_vp_load({})",
-    rate="gs_vp_load(gs_felt({}))",
-    value="gs_vp_value({})",
-    widened={},
-    ordinary={  # no term of a formula over- or underflows, nor what a product leaves
-        "positive": "gs_between({}, 0x1p-100, 0x1p+100)",
-        "nonnegative": "gs_between_or_0({}, 0x1p-100, 0x1p+100)",
-        "rate": "gs_between({}, 0.0, 0x1p+100)",
-        "chord angle": "gs_between_or_0(gs_abs({}), 0x1p-100, GS_HALF_TURN_0)",
-        "elevation": "gs_between_or_0({}, 0x1p-100, GS_HALF_TURN_0)",
-        "chord angle, idle": "gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs({}))",
-    },
-    failing={"driving": ("good", "held"), "phi0m": ("good",), "range_balance": ("good",)},
-)
-SINGLE = Arithmetic(
-    kind="float",
-    prefix="gs_s_",
-    number="gs_v",
-    turn="gs_turn_single",
-    load="gs_v_widen",
-    store="gs_v_narrow",
-    padded="gs_padded_single",
-    taken="{}",
-    rate="{}",
-    value="{}",
-    widened={"chord angle": "gs_wide_angle({})", "elevation": "gs_wide_angle({})"},
-    ordinary={
-        "positive": "gs_between({}, 0x1p-149, 0x1p+128)",
-        "nonnegative": "gs_between({}, 0.0, 0x1p+128)",
-        "rate": "gs_between({}, 0.0, 0x1p+128)",
-        "chord angle": "gs_between(gs_abs({}), 0.0, GS_HALF_TURN_SINGLE)",
-        "elevation": "gs_between({}, 0.0, GS_HALF_TURN_SINGLE)",
-        "chord angle, idle": "gs_between(gs_abs({}), 0.0, GS_HALF_TURN_SINGLE)",
-    },
-    failing={"driving": ("good", "held"), "add": ("good",), "sub": ("good",)},
-)
-
-
-def is_rate(argument):
-    """Whether an argument enters by factors that are 1 where it is small, so that 0 stands for the smallest."""
-    return argument.name in ("gamma", "k")
-
-
-def size_of(argument, turned):
-    """Return which test tells whether an argument is of ordinary size: a key of ``Arithmetic.ordinary``.
-
-    ``turned`` says whether the form has a sine or cosine; if not, an angle needs only be one.
-    """
-    return "rate" if is_rate(argument) else argument.domain + ", idle" * (argument.unit == "rad" and not turned)
-
-
-def _call_text(node, arithmetic, good):
-    """A node as nested calls; good is the mask of lanes that its operations may change."""
-    if isinstance(node, str):
-        return node
-    prefix = arithmetic.prefix
-    if node[0] == "constant":
-        return f"{prefix}constant({node[1]!r})"
-    operands = [_call_text(operand, arithmetic, good) for operand in operands_of(node)]
-    if node[0] == "scale":
-        return f"{prefix}scaled({operands[0]}, {float(2) ** node[2]!r})"
-    masks = [f"&{good if mask == 'good' else mask}" for mask in arithmetic.failing.get(node[0], ())]
-    return f"{prefix}{node[0]}({', '.join([*operands, *masks])})"
+def _of_one_angle(steps):
+    """Steps without the angle if all that is needed is one sine or one cosine, which then is made alone."""
+    users = [node for _, node in steps if "a" in node[1:]]
+    if len(users) != 1 or users[0][0] not in _ALONE:
+        return steps
+    return [
+        (name, (_ALONE[node[0]], "theta_used") if node in users else node) for name, node in steps if node[0] != "angle"
+    ]
 
 
 class _Form:
@@ -125,18 +38,24 @@ class _Form:
         self.outputs = [o.name for o in function.outputs]
         made = {node[0] for _, node in self.plan.steps}
         self.turned, self.held = "angle" in made, "driving" in made
+        self.kept = ["good", *(["held"] if self.held else [])]
 
     def head(self):
         """The comment, and the signature."""
         given = parameters(self.function, self.force_set, self.shape, self.arithmetic.kind)
         names = ["count", *(f"{a.name}_in" for a in self.arguments), *(f"{o}_out" for o in self.outputs)]
         signature = ", ".join(f"{kind}{name}" for (kind, _), name in zip(given, names, strict=True))
-        name = f"{name_of(self.function, self.force_set)}_{self.shape}{letter(self.arithmetic.kind)}"
         return [
             f"/* {sources_text(self.function, self.force_set)}.",
             f" * Operations: {counts_text(self.plan)}. */",
-            f"void GS_JOIN({name}, GS_SUFFIX)({signature})",
+            f"void {self.name}({signature})",
         ]
+
+    @property
+    def name(self):
+        """The form's name in a version."""
+        name = f"{name_of(self.function, self.force_set)}_{self.shape}{letter(self.arithmetic.kind)}"
+        return f"GS_JOIN({name}, GS_SUFFIX)"
 
     def masks(self, name, start, arguments):
         """Lines that make a mask of lanes that are of ordinary size."""
@@ -146,19 +65,20 @@ class _Form:
     def _test(self, argument):
         return self.arithmetic.ordinary[size_of(argument, self.turned)].format(f"{argument.name}_here")
 
-    def loads(self, arguments, mask):
-        """Lines that take arguments as numbers: 1 in lanes that are not served."""
+    def loads(self, arguments, mask, names):
+        """Lines that take those arguments that are named as numbers: 1 in lanes that are not served."""
         lines = []
-        for a in (a for a in arguments if a.symbol in self.plan.loads):
+        for a in (a for a in arguments if a.symbol in names):
             taken = self.arithmetic.rate if is_rate(a) else self.arithmetic.taken
-            number = taken.format(f"gs_select({mask}, {a.name}_here, one)")
-            lines.append(f"const {self.arithmetic.number} {a.symbol} = {number};")
-        turned = self.turned and any(a.name == "theta" for a in arguments)
-        return lines + ["const gs_v theta_used = gs_select(good, theta_here, one);"] * turned
+            lines.append(f"const gs_v {a.symbol} = {taken.format(f'gs_select({mask}, {a.name}_here, one)')};")
+        return lines + ["const gs_v theta_used = gs_select(good, theta_here, one);"] * ("theta_used" in names)
 
     def hoisted(self):
         """The operations, divided; an angle is that of the lanes that are served."""
-        steps = [(name, ("angle", "theta_used") if node[0] == "angle" else node) for name, node in self.plan.steps]
+        steps = [
+            (name, ("angle", "theta_used") if node[0] == "angle" else node)
+            for name, node in _of_one_angle(self.plan.steps)
+        ]
         varying = {a.symbol for a in self.arrays if a.symbol in self.plan.loads} | {"theta_used"}
         return hoisted(steps, self.plan.results, varying)
 
@@ -166,13 +86,23 @@ class _Form:
         """Lines that give nodes their names."""
         kinds = {"angle": self.arithmetic.turn}
         return [
-            f"const {kinds.get(node[0], self.arithmetic.number)} {name} = {_call_text(node, self.arithmetic, good)};"
+            f"const {kinds.get(node[0], self.arithmetic.number)} {name} = {self._text(node, good)};"
             for name, node in steps
         ]
 
+    def _text(self, node, good):
+        plain = {a.symbol for a in self.arguments} if self.arithmetic.of_kinds else ()
+        return call_text(node, self.arithmetic, good, plain)
+
+    def _result(self, node):
+        """A lane's result; a power of two is the last factor, so that it takes one multiplication."""
+        if node[0] == "scale":
+            return f"gs_mul({self._result(node[1])}, gs_v_of({float(2) ** node[2]!r}))"
+        return self.arithmetic.value.format(self._text(node, "good"))
+
     def results(self, nodes):
         """Lines that name the outputs."""
-        results = [self.arithmetic.value.format(_call_text(node, self.arithmetic, "good")) for node in nodes]
+        results = list(map(self._result, nodes))
         if self.held:
             rests = [_AT_REST[o.at_rest] for o in self.function.outputs]
             results = [f"gs_select(held, {rest}, {r})" for rest, r in zip(rests, results, strict=True)]
@@ -182,7 +112,7 @@ class _Form:
         """Lines that compute the lanes that are not served by the scaled form."""
         arguments = []
         for a in self.arguments:
-            lane = f"{a.name}_in" + "[j]" * (a in self.arrays)
+            lane = f"{a.name}_in" + "[at + j]" * (a in self.arrays)
             arguments.append(self.arithmetic.widened.get(a.domain, "{}").format(lane))
         call = f"{scaled_name(self.function, self.force_set)}({', '.join(arguments)}"
         single = f"{self.outputs[0]}_each[j] = {call});"
@@ -191,34 +121,90 @@ class _Form:
             "if (!gs_all(good)) {",
             f"    double {', '.join(f'{name}_each[GS_LANES]' for name in self.outputs)};",
             *(f"    gs_v_store({name}_each, {name}_here);" for name in self.outputs),
-            "    for (size_t j = 0; j < here; j++)",
+            "    for (size_t j = 0; j < GS_LANES; j++)",
             "        if (!(gs_bits_of(good) >> j & 1))",
             f"            {single if is_single(self.function) else several}",
             *(f"    {name}_here = gs_v_load({name}_each);" for name in self.outputs),
             "}",
         ]
 
-    def pads(self):
-        """Lines that take the last lanes, fewer than a vector, from copies."""
-        moves = [
-            f"{a.name}_in = {self.arithmetic.padded}(pad[{i}], {a.name}_in, here);" for i, a in enumerate(self.arrays)
-        ]
-        return ["if (here < GS_LANES) {", *(f"    {move}" for move in moves), "}"]
-
-    def stores(self):
-        """Lines that write the results, and go on."""
-        store, ends = self.arithmetic.store, []
-        for i, name in enumerate(self.outputs, len(self.arrays)):
-            ends.append(f"    {store}(pad[{i}], {name}_here);")
-            ends.append(f"    memcpy({name}_out, pad[{i}], here * sizeof *{name}_out);")
-        moved = [*(f"{a.name}_in" for a in self.arrays), *(f"{name}_out" for name in self.outputs)]
+    def begun(self, names, known):
+        """The first loop's lines before its operations: which lanes are served, and their arguments."""
         return [
-            "if (here < GS_LANES) {",
-            *ends,
-            "    return;",
+            "const size_t at = i * GS_LANES;",
+            *(f"const gs_v {a.name}_here = {self.arithmetic.load}({a.name}_in + at);" for a in self.arrays),
+            *self.masks("good", known, self.arrays),
+            *self.loads(self.arrays, "good", names),
+            *["gs_mask held;"] * self.held,
+        ]
+
+    def resumed(self, stage, names, last):
+        """The same of a later loop: what the others have left, and the arguments that it needs."""
+        needed = [a for a in self.arrays if a.symbol in names]
+        kept = self.kept if last else ["good"] if needed else []
+        return [
+            *["const size_t at = i * GS_LANES;"] * (last or bool(needed)),
+            *(f"{'gs_mask' if mask == 'good' else 'const gs_mask'} {mask} = {mask}_kept[i];" for mask in kept),
+            *(f"const gs_v {a.name}_here = {self.arithmetic.load}({a.name}_in + at);" for a in needed),
+            *self.loads(needed, "good", names),
+            *(f"const {self.arithmetic.number} {name} = {name}_kept[i];" for name in stage.taken),
+        ]
+
+    def finished(self, nodes):
+        """The last loop's lines after its operations: results, and where they go."""
+        store = self.arithmetic.store
+        return [
+            *self.results(nodes),
+            *self.handed_on(),
+            *(f"{store}({name}_out + at, {name}_here);" for name in self.outputs),
+        ]
+
+    def loop(self, stages, place, results, known):
+        """One loop over the vectors of a block."""
+        stage, first, last = stages[place], place == 0, place == len(stages) - 1
+        names = names_in(*(node for _, node in stage.steps), *(results if last else ()))
+        left = [*(self.kept if first else []), *stage.left]
+        return [
+            "for (size_t i = 0; i < block; i++) {",
+            *_indented(1, self.begun(names, known) if first else self.resumed(stage, names, last)),
+            *_indented(1, self.assignments(stage.steps, "good")),
+            *_indented(1, self.finished(results) if last else [f"{name}_kept[i] = {name};" for name in left]),
             "}",
-            *(f"{store}({name}_out, {name}_here);" for name in self.outputs),
-            f"count -= GS_LANES, {', '.join(f'{name} += GS_LANES' for name in moved)};",
+            *(
+                f"{self.arithmetic.prefix}{factor}_each(block, {x}_kept, {name}_kept);"
+                for name, factor, x in stage.calls
+            ),
+        ]
+
+    def keepers(self, stages):
+        """Lines that make room for what one loop leaves to another."""
+        if len(stages) == 1:
+            return []
+        numbers = [name for stage in stages for name in (*stage.left, *(call[0] for call in stage.calls))]
+        lines = [f"gs_mask {', '.join(f'{mask}_kept[GS_GROUP]' for mask in self.kept)};"]
+        return lines + [f"{self.arithmetic.number} {', '.join(f'{n}_kept[GS_GROUP]' for n in numbers)};"] * bool(
+            numbers
+        )
+
+    def advance(self):
+        """The line that goes on to the next block."""
+        moved = [*(f"{a.name}_in" for a in self.arrays), *(f"{name}_out" for name in self.outputs)]
+        return f"vectors -= block, {', '.join(f'{name} += block * GS_LANES' for name in moved)};"
+
+    def rest(self):
+        """Lines that compute the last lanes, fewer than a vector, in one that holds copies of the last."""
+        kind, padded, given = self.arithmetic.kind, self.arithmetic.padded, []
+        for a in self.arguments:
+            place = self.arrays.index(a) if a in self.arrays else None
+            given.append(f"{a.name}_in" if place is None else f"{padded}(pad[{place}], {a.name}_in, rest)")
+        pads = {name: f"pad[{i}]" for i, name in enumerate(self.outputs, len(self.arrays))}
+        return [
+            "const size_t rest = count % GS_LANES;",
+            "if (rest > 0) {",
+            f"    {kind} pad[{len(self.arrays) + len(pads)}][GS_LANES];",
+            f"    {self.name}(GS_LANES, {', '.join([*given, *pads.values()])});",
+            *(f"    memcpy({name}_out, {pad}, rest * sizeof *{name}_out);" for name, pad in pads.items()),
+            "}",
         ]
 
 
@@ -236,33 +222,29 @@ def definition(function, force_set, shape, arithmetic):
         A key of ``function.variants``.
     shape : str
         ``ARRAYS`` or ``VALUES``.
-    arithmetic : Arithmetic
+    arithmetic : galileo_sym.codegen.arithmetic.Arithmetic
         ``DOUBLE`` or ``SINGLE``.
     """
     form = _Form(function, force_set, shape, arithmetic)
     parts = form.hoisted()
+    stages, results = divided(parts.each, parts.results)
     known = ["known"] if form.values else []
+    everywhere = {a.symbol for a in form.values if a.symbol in form.plan.loads}
     lines = [
         *form.head(),
         "{",
-        f"    {arithmetic.kind} pad[{len(form.arrays) + len(form.outputs)}][GS_LANES];",
         "    const gs_v one = gs_v_of(1.0);",
         *_indented(1, [f"const gs_v {a.name}_here = gs_v_of({a.name}_in);" for a in form.values]),
         *_indented(1, form.masks("known", [], form.values) if form.values else []),
-        *_indented(1, form.loads(form.values, "known")),
+        *_indented(1, form.loads(form.values, "known", everywhere)),
         *_indented(1, form.assignments(parts.before, "known")),
-        "    while (count > 0) {",
-        "        const size_t here = count < GS_LANES ? count : GS_LANES;",
-        *_indented(2, form.pads()),
-        *_indented(2, [f"const gs_v {a.name}_here = {arithmetic.load}({a.name}_in);" for a in form.arrays]),
-        *_indented(2, form.masks("good", known, form.arrays)),
-        *_indented(2, form.loads(form.arrays, "good")),
-        *_indented(2, ["gs_mask held;"] * form.held),
-        *_indented(2, form.assignments(parts.each, "good")),
-        *_indented(2, form.results(parts.results)),
-        *_indented(2, form.handed_on()),
-        *_indented(2, form.stores()),
+        *_indented(1, form.keepers(stages)),
+        "    for (size_t vectors = count / GS_LANES; vectors > 0;) {",
+        "        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;",
+        *(line for i in range(len(stages)) for line in _indented(2, form.loop(stages, i, results, known))),
+        f"        {form.advance()}",
         "    }",
+        *_indented(1, form.rest()),
         "}",
     ]
     return "\n".join(lines) + "\n"

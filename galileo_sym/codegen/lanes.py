@@ -3,9 +3,9 @@
 from itertools import product
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.forms import DOUBLE, SINGLE, definition
+from galileo_sym.codegen.arithmetic import DOUBLE, SINGLE
+from galileo_sym.codegen.forms import definition
 from galileo_sym.codegen.kernels import CONDITION, TARGETS, table_text
-from galileo_sym.codegen.pairs import IN_LANES
 from galileo_sym.codegen.signatures import (
     ARRAYS,
     VALUES,
@@ -58,15 +58,6 @@ def turn_tables():
         f"#define GS_QUARTER_TURN {(half[0] / 2).hex()}\n{macros}"
         f"#define GS_TURN_STEP {TURN_STEP.hex()}\n#define GS_TURNS_A_RADIAN {(1 / TURN_STEP).hex()}\n"
         f"/* Sine and cosine of 0 to {TURN_COUNT - 1} steps. */\n{tables}"
-    )
-
-
-def factors():
-    """Return the calls of the primitives that formulas use, on vectors of pairs."""
-    return "".join(
-        f"static inline gs_vp gs_vp_{name}(gs_vp x)\n{{\n    gs_vp r;\n"
-        f"    r.hi = gs_{name}_lanes(x.hi, x.lo, &r.lo);\n    return r;\n}}\n\n"
-        for name in IN_LANES
     )
 
 

@@ -4,7 +4,7 @@ As in C each form is emitted twice: with an array for every argument, and with o
 where what depends on those alone is computed once.
 """
 
-from galileo_sym.codegen.forms import is_rate, size_of
+from galileo_sym.codegen.arithmetic import is_rate, size_of
 from galileo_sym.codegen.hoisting import hoisted
 from galileo_sym.codegen.lanes import takes_values
 from galileo_sym.codegen.printing import call_text, counts_text, sources_text

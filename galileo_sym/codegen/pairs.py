@@ -11,8 +11,8 @@ from galileo_sym.primitives.kernels import KERNELS
 from galileo_sym.primitives.lines import used
 
 _HEAD = """\
-/* The primitives of a pair, for the forms that compute with hi + lo: gs_NAME_lanes(x, x_lo, &lo) for vectors inside the
- * domain, gs_NAME_pair(x, x_lo, &lo) for single numbers, NaN beyond it.
+/* The primitives of a pair, for the forms that compute with hi + lo: gs_NAME_rangeN_pair(x, x_lo, &lo) for vectors in
+ * the Nth range, gs_NAME_pair(x, x_lo, &lo) for single numbers, NaN beyond the domain.
  *
  * The result r + lo is the value at x + x_lo, |x_lo| <= ulp(x)/2 (0 where x is infinite), to 2^-57 of it; r is the
  * nearest double but for a little (0.55 ulp), |lo| <= ulp(r)/2. But: where |r| < 2^-922, and for exp_minus from 640 on,
@@ -35,11 +35,6 @@ static inline gs_mask gs_before(gs_v x, gs_v x_lo, gs_v y, gs_v y_lo)
 
 """
 
-# those that the papers' formulas call; of their arguments none is negative
-IN_LANES = (
-    *("phi1m", "phi2m", "descent_factor", "flight_factor", "range_factor"),
-    *("range_loss", "grown_balance", "max_range_factor", "acot"),
-)
 PAIRS = KERNELS | {frame.name: frame for frame in FRAMES}
 _PARITIES = {"": ("x", "x_lo"), "even": ("gs_abs(x)", "gs_flip(x_lo, x)"), "odd": ("gs_abs(x)", "gs_flip(x_lo, x)")}
 
@@ -87,44 +82,9 @@ def _choice(kernel):
     return "".join([*out, "    return r;\n}\n#endif\n\n"])
 
 
-def served_text(served, kernel):
-    """Return which lanes a range serves; the first one also what comes before it."""
-    begin, end = c_number(served.begin), c_number(served.end)
-    if isinf(served.end):
-        return f"gs_at_least(x, {begin})"
-    return f"gs_less(x, {end})" if served.begin == kernel.domain[0] else f"gs_within(x, {begin}, {end})"
-
-
-def _lanes(kernel):
-    """All lanes by the typical range, if it serves them; else each by its own."""
-    call = "gs_{}_range{}_pair(gs_select(here, x, {}), gs_select(here, x_lo, gs_v_of(0.0)), {})".format
-    typical, *others = kernel.ranges
-    rare = [
-        f"static GS_RARE gs_v gs_{kernel.name}_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)\n{{\n    gs_mask here;\n"
-    ]
-    rare.append("    gs_v other, rest;\n")
-    for index, served in enumerate(others, 1):
-        rare += [
-            f"    here = {served_text(served, kernel)};\n    if (gs_bits_of(here)) {{\n",
-            f"        other = {call(kernel.name, index, c_number(served.harmless), '&rest')};\n",
-            "        r = gs_select(here, other, r);\n        *lo = gs_select(here, rest, *lo);\n    }\n",
-        ]
-    return "".join(
-        [
-            *rare,
-            "    return r;\n}\n\n",
-            f"/* {kernel.doc}, of vectors inside the domain. */\n",
-            f"static inline gs_v gs_{kernel.name}_lanes(gs_v x, gs_v x_lo, gs_v *lo)\n{{\n",
-            f"    const gs_mask here = {served_text(typical, kernel)};\n",
-            f"    const gs_v r = {call(kernel.name, 0, c_number(typical.harmless), 'lo')};\n",
-            f"    return gs_all(here) ? r : gs_{kernel.name}_rarely(x, x_lo, r, lo);\n}}\n\n",
-        ]
-    )
-
-
 def pairs_header():
     """Return the C header of all primitives of a pair."""
     known = {bank for kernel in KERNELS.values() for bank in kernel.banks}
     fresh = dict.fromkeys(bank for frame in FRAMES for bank in frame.banks if bank not in known)
-    own = "".join(_functions(k) + _choice(k) + (_lanes(k) if k.name in IN_LANES else "") for k in PAIRS.values())
+    own = "".join(_functions(k) + _choice(k) for k in PAIRS.values())
     return "".join([_HEAD, *map(bank_text, fresh), own, "#endif\n"])

@@ -102,8 +102,18 @@ def _powers(expression):
     """Exponents of a product's factors by their bases; an exponential is a base of its own, no power of e."""
     total = Counter()
     for factor in Mul.make_args(expression):
-        total.update({factor: Integer(1)} if isinstance(factor, exp) else factor.as_powers_dict())
+        if isinstance(factor, exp):
+            total.update({factor: Integer(1)})
+            continue
+        for base, exponent in factor.as_powers_dict().items():
+            inside = _powers(base) if base.is_Mul else {base: Integer(1)}
+            total.update({b: e * exponent for b, e in inside.items()})
     return total
+
+
+def _product(nodes):
+    """Node of a product, from left to right."""
+    return reduce(lambda x, y: ("mul", x, y), nodes)
 
 
 class _Scheduler:
@@ -211,17 +221,20 @@ class _Scheduler:
         return (2 if base.func in _OF_ANGLE else 3, 0, str(base))
 
     def _quotient(self, powers):
-        """Node of a product of integer powers; what depends on the angle is multiplied among itself first."""
+        """Node of a product of integer powers; arguments are divided by arguments: that waits for nothing else."""
         coefficient = reduce(
             lambda x, be: x * be[0] ** be[1], ((b, e) for b, e in powers.items() if b.is_Number), Integer(1)
         )
         bases = sorted((b for b in powers if not b.is_Number), key=self._rank)
-        above = [n for b in bases for n in [self.lower(b)] * max(int(powers[b]), 0)]
-        below = [n for b in bases for n in [self.lower(b)] * max(-int(powers[b]), 0)]
-        node = reduce(lambda x, y: ("mul", x, y), above) if above else None
-        if below:
-            node = ("div", node or ("constant", 1.0), reduce(lambda x, y: ("mul", x, y), below))
-        return self._scaled(coefficient, node)
+        above = [(b, n) for b in bases for n in [self.lower(b)] * max(int(powers[b]), 0)]
+        below = [(b, n) for b in bases for n in [self.lower(b)] * max(-int(powers[b]), 0)]
+        given = [n for b, n in above if b in self.order] if all(b in self.order for b, _ in below) else []
+        over, under = given or [n for _, n in above], [n for _, n in below]
+        node = _product(over) if over else None
+        if under:
+            node = ("div", node or ("constant", 1.0), _product(under))
+        made = [n for b, n in above if b not in self.order] if given else []
+        return self._scaled(coefficient, _product([node, *made]) if made else node)
 
     def _scaled(self, coefficient, node):
         if coefficient == 1 or node is None:

@@ -103,7 +103,7 @@ BANKED = {
         Kernel(
             "flight_factor",
             "T/(2 b) with T = (1 + b)(1 - exp(-T))",
-            ("flight_factor", "flight_tail"),
+            ("flight_factor",),
             (Line("y", "div", (0.5, "x")), Line("r", "add", (0.5, "y"))),
             (*_HALF_INVERSE, *add_exact("f", "y", 0.5), *result("f")),
         ),

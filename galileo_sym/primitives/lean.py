@@ -15,10 +15,11 @@ TOLERANCE = 2.0**-35  # 2^-12 of a unit in the last place of binary32
 _DIGITS = 60
 _CHECKS = 12
 DEGREES = {
-    **dict.fromkeys(("phi1m", "phi1m_tail", "phi2m", "phi2m_tail", "flight_factor", "range_factor", "range_tail"), 8),
+    **dict.fromkeys(("phi1m", "phi1m_tail", "phi2m", "phi2m_tail", "range_factor", "range_tail"), 8),
     **dict.fromkeys(("max_range_factor", "omega", "w0_ratio", "wm1_branch"), 8),
-    **dict.fromkeys(("descent_factor", "flight_tail", "arctangent", "best_sine", "best_angle"), 7),
+    **dict.fromkeys(("descent_factor", "arctangent", "best_sine", "best_angle"), 7),
     **dict.fromkeys(("grown_loss", "grown_loss_tail", "grown_balance", "grown_balance_tail"), 7),
+    "flight_factor": 10,
     "rise_factor": 9,
     **dict.fromkeys(("wm1_middle", "arctangent_tail", "fall_log"), 8),
     "fall_factor": 6,

@@ -18,7 +18,7 @@ double gs_scaled_chord_descent_time_free(double theta_in, double diameter_in, do
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 double gs_scaled_chord_descent_time_friction(double theta_in, double diameter_in, double g_in, double mu_in)
 {
     if (isnan(theta_in) || isnan(diameter_in) || isnan(g_in) || isnan(mu_in))
@@ -33,7 +33,7 @@ double gs_scaled_chord_descent_time_friction(double theta_in, double diameter_in
     const gs_scaled n = gs_driving(a, mu);
     if (n.hi <= 0.0)
         return INFINITY;
-    const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, gs_div(C, n)), g), 1));
+    const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, C), gs_mul(g, n)), 1));
     return gs_settle(t0, (isinf(diameter_in) && isinf(g_in)));
 }
 
@@ -54,7 +54,7 @@ double gs_scaled_chord_descent_time_drag(double theta_in, double diameter_in, do
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 double gs_scaled_chord_descent_time_friction_drag(double theta_in, double diameter_in, double g_in, double mu_in, double gamma_in)
 {
     if (isnan(theta_in) || isnan(diameter_in) || isnan(g_in) || isnan(mu_in) || isnan(gamma_in))
@@ -70,7 +70,7 @@ double gs_scaled_chord_descent_time_friction_drag(double theta_in, double diamet
     const gs_scaled n = gs_driving(a, mu);
     if (n.hi <= 0.0)
         return INFINITY;
-    const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, gs_div(C, n)), g), 1));
+    const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, C), gs_mul(g, n)), 1));
     const gs_scaled p = gs_mul(gamma, t0);
     return gs_settle(gs_mul(t0, gs_descent_factor(p)), ((isinf(diameter_in) || isinf(gamma_in)) && isinf(g_in)));
 }

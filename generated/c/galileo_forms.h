@@ -10,40 +10,47 @@
  * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, double *time_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            diameter_in = gs_padded(pad[1], diameter_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
+            good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_quotient(D, g), 2.0));
+            good_kept[i] = good;
+            t0_kept[i] = t0;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v diameter_here = gs_v_load(diameter_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
-        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-        gs_v time_here = gs_vp_value(t0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_free(theta_in[j], diameter_in[j], g_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_vp_value(t0);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_free(theta_in[at + j], diameter_in[at + j], g_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], time_here);
-            memcpy(time_out, pad[3], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], diameter_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(time_out, pad[3], rest * sizeof *time_out);
     }
 }
 
@@ -51,40 +58,47 @@ void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double
  * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, float *time_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            diameter_in = gs_padded_single(pad[1], diameter_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+            good_kept[i] = good;
+            t0_kept[i] = t0;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v diameter_here = gs_v_widen(diameter_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v D = gs_select(good, diameter_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
-        gs_v time_here = t0;
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = t0;
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[at + j]), diameter_in[at + j], g_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], time_here);
-            memcpy(time_out, pad[3], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], diameter_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(time_out, pad[3], rest * sizeof *time_out);
     }
 }
 
@@ -92,39 +106,39 @@ void GS_JOIN(gs_chord_descent_time_free_nf, GS_SUFFIX)(size_t count, const float
  * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_quotient(D, g), 2.0));
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
+            gs_v time_here = gs_vp_value(t0);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_free(theta_in[at + j], diameter_in, g_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
-        gs_v time_here = gs_vp_value(t0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_free(theta_in[j], diameter_in, g_in);
-            time_here = gs_v_load(time_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), diameter_in, g_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -132,7 +146,6 @@ void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -141,138 +154,174 @@ void GS_JOIN(gs_chord_descent_time_free_nuf, GS_SUFFIX)(size_t count, const floa
     const gs_v D = gs_select(known, diameter_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            gs_v time_here = t0;
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[at + j]), diameter_in, g_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        gs_v time_here = t0;
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[j]), diameter_in, g_in);
-            time_here = gs_v_load(time_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), diameter_in, g_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *mu_in, double *time_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            diameter_in = gs_padded(pad[1], diameter_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v diameter_here = gs_v_load(diameter_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[j], diameter_in[j], g_in[j], mu_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_times(C, D), gs_vp_times(n, g)), 2.0));
+            t0_kept[i] = t0;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[at + j], diameter_in[at + j], g_in[at + j], mu_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], diameter_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *mu_in, float *time_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            diameter_in = gs_padded_single(pad[1], diameter_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v diameter_here = gs_v_widen(diameter_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v D = gs_select(good, diameter_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], mu_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, C), gs_s_mul(g, n)), 2.0));
+            t0_kept[i] = t0;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[at + j]), diameter_in[at + j], g_in[at + j], mu_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], diameter_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -280,47 +329,64 @@ void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const d
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[j], diameter_in, g_in, mu_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const gs_vp C = C_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_times(C, D), gs_vp_times(n, g)), 2.0));
+            t0_kept[i] = t0;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[at + j], diameter_in, g_in, mu_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), diameter_in, g_in, mu_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float mu_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -331,36 +397,54 @@ void GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(size_t count, const 
     const gs_v D = gs_select(known, diameter_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[j]), diameter_in, g_in, mu_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const gs_v C = C_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, C), gs_s_mul(g, n)), 2.0));
+            t0_kept[i] = t0;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[at + j]), diameter_in, g_in, mu_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), diameter_in, g_in, mu_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -368,45 +452,54 @@ void GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *gamma_in, double *time_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            diameter_in = gs_padded(pad[1], diameter_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
+            good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_quotient(D, g), 2.0));
+            const gs_vp p = gs_vp_times(t0, gamma);
+            good_kept[i] = good;
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v diameter_here = gs_v_load(diameter_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
-        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-        const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p)));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[j], diameter_in[j], g_in[j], gamma_in[j]);
-            time_here = gs_v_load(time_each);
+        gs_vp_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_vp_value(gs_vp_mul(t0, factor1));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[at + j], diameter_in[at + j], g_in[at + j], gamma_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], diameter_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
@@ -414,45 +507,54 @@ void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *gamma_in, float *time_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            diameter_in = gs_padded_single(pad[1], diameter_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+            const gs_v p = gs_s_mul(gamma, t0);
+            good_kept[i] = good;
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v diameter_here = gs_v_widen(diameter_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v D = gs_select(good, diameter_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
-        const gs_v p = gs_s_mul(gamma, t0);
-        gs_v time_here = gs_s_mul(t0, gs_s_descent_factor(p));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], gamma_in[j]);
-            time_here = gs_v_load(time_each);
+        gs_s_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_s_mul(t0, factor1);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[at + j]), diameter_in[at + j], g_in[at + j], gamma_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], diameter_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
@@ -460,7 +562,6 @@ void GS_JOIN(gs_chord_descent_time_drag_nf, GS_SUFFIX)(size_t count, const float
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double gamma_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -468,36 +569,37 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-    const gs_vp p = gs_vp_mul(gamma, t0);
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_quotient(D, g), 2.0));
+    const gs_vp p = gs_vp_times(t0, gamma);
     const gs_vp once1 = gs_vp_mul(t0, gs_vp_descent_factor(p));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
+            gs_v time_here = gs_vp_value(once1);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[at + j], diameter_in, g_in, gamma_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
-        gs_v time_here = gs_vp_value(once1);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[j], diameter_in, g_in, gamma_in);
-            time_here = gs_v_load(time_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), diameter_in, g_in, gamma_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -505,7 +607,6 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float gamma_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -519,148 +620,190 @@ void GS_JOIN(gs_chord_descent_time_drag_nuf, GS_SUFFIX)(size_t count, const floa
     const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
     const gs_v p = gs_s_mul(gamma, t0);
     const gs_v once1 = gs_s_mul(t0, gs_s_descent_factor(p));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            gs_v time_here = once1;
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[at + j]), diameter_in, g_in, gamma_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        gs_v time_here = once1;
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[j]), diameter_in, g_in, gamma_in);
-            time_here = gs_v_load(time_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), diameter_in, g_in, gamma_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *mu_in, const double *gamma_in, double *time_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            diameter_in = gs_padded(pad[1], diameter_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
-            gamma_in = gs_padded(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v diameter_here = gs_v_load(diameter_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p))));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[j], diameter_in[j], g_in[j], mu_in[j], gamma_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_vp C = C_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_times(C, D), gs_vp_times(n, g)), 2.0));
+            const gs_vp p = gs_vp_times(t0, gamma);
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], time_here);
-            memcpy(time_out, pad[5], here * sizeof *time_out);
-            return;
+        gs_vp_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, factor1)));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[at + j], diameter_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], diameter_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), gs_padded(pad[4], gamma_in, rest), pad[5]);
+        memcpy(time_out, pad[5], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *mu_in, const float *gamma_in, float *time_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            diameter_in = gs_padded_single(pad[1], diameter_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
-            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v diameter_here = gs_v_widen(diameter_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v D = gs_select(good, diameter_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
-        const gs_v p = gs_s_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, gs_s_descent_factor(p)));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], mu_in[j], gamma_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, C), gs_s_mul(g, n)), 2.0));
+            const gs_v p = gs_s_mul(gamma, t0);
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], time_here);
-            memcpy(time_out, pad[5], here * sizeof *time_out);
-            return;
+        gs_s_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, factor1));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[at + j]), diameter_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], diameter_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), gs_padded_single(pad[4], gamma_in, rest), pad[5]);
+        memcpy(time_out, pad[5], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double gamma_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -670,49 +813,69 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, co
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p))));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[j], diameter_in, g_in, mu_in, gamma_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const gs_vp C = C_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_times(C, D), gs_vp_times(n, g)), 2.0));
+            const gs_vp p = gs_vp_times(t0, gamma);
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
+        gs_vp_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, factor1)));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[at + j], diameter_in, g_in, mu_in, gamma_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), diameter_in, g_in, mu_in, gamma_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float mu_in, float gamma_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -726,37 +889,58 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(size_t count, c
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
-        const gs_v p = gs_s_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, gs_s_descent_factor(p)));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[j]), diameter_in, g_in, mu_in, gamma_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const gs_v C = C_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, C), gs_s_mul(g, n)), 2.0));
+            const gs_v p = gs_s_mul(gamma, t0);
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
+        gs_s_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, factor1));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[at + j]), diameter_in, g_in, mu_in, gamma_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), diameter_in, g_in, mu_in, gamma_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -764,43 +948,51 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(size_t count, c
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *distance_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v distance_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, C), 0.5));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], theta_in[j], g_in[j]);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_mul(gs_vp_value(gs_vp_mul(fall, C)), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_free(t_in[at + j], theta_in[at + j], g_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], distance_here);
-            memcpy(distance_out, pad[3], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(distance_out, pad[3], rest * sizeof *distance_out);
     }
 }
 
@@ -808,43 +1000,51 @@ void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *distance_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        gs_v distance_here = gs_s_scaled(gs_s_mul(fall, C), 0.5);
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j]);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_mul(gs_s_mul(fall, C), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], distance_here);
-            memcpy(distance_out, pad[3], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_distance_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(distance_out, pad[3], rest * sizeof *distance_out);
     }
 }
 
@@ -852,43 +1052,51 @@ void GS_JOIN(gs_chord_distance_free_nf, GS_SUFFIX)(size_t count, const float *t_
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *distance_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v distance_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, C), 0.5));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], theta_in[j], g_in);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_mul(gs_vp_value(gs_vp_mul(fall, C)), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_free(t_in[at + j], theta_in[at + j], g_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -896,43 +1104,51 @@ void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *distance_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        gs_v distance_here = gs_s_scaled(gs_s_mul(fall, C), 0.5);
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], gs_wide_angle(theta_in[j]), g_in);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_mul(gs_s_mul(fall, C), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -940,48 +1156,58 @@ void GS_JOIN(gs_chord_distance_free_nuf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *distance_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, n), 0.5)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], theta_in[j], g_in[j], mu_in[j]);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(fall, n)), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], distance_here);
-            memcpy(distance_out, pad[4], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), pad[4]);
+        memcpy(distance_out, pad[4], rest * sizeof *distance_out);
     }
 }
 
@@ -989,48 +1215,58 @@ void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *distance_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(fall, n), 0.5));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j]);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(fall, n), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], distance_here);
-            memcpy(distance_out, pad[4], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), pad[4]);
+        memcpy(distance_out, pad[4], rest * sizeof *distance_out);
     }
 }
 
@@ -1038,47 +1274,58 @@ void GS_JOIN(gs_chord_distance_friction_nf, GS_SUFFIX)(size_t count, const float
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *distance_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, n), 0.5)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], theta_in[j], g_in, mu_in);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(fall, n)), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction(t_in[at + j], theta_in[at + j], g_in, mu_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -1086,7 +1333,6 @@ void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *distance_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -1094,39 +1340,51 @@ void GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(size_t count, const floa
     known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(fall, n), 0.5));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(fall, n), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -1134,48 +1392,59 @@ void GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(size_t count, const floa
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *distance_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j]);
-            distance_here = gs_v_load(distance_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), factor1));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_drag(t_in[at + j], theta_in[at + j], g_in[at + j], gamma_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], distance_here);
-            memcpy(distance_out, pad[4], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4]);
+        memcpy(distance_out, pad[4], rest * sizeof *distance_out);
     }
 }
 
@@ -1183,48 +1452,59 @@ void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *distance_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j]);
-            distance_here = gs_v_load(distance_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), factor1);
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], gamma_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], distance_here);
-            memcpy(distance_out, pad[4], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_distance_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4]);
+        memcpy(distance_out, pad[4], rest * sizeof *distance_out);
     }
 }
 
@@ -1232,47 +1512,59 @@ void GS_JOIN(gs_chord_distance_drag_nf, GS_SUFFIX)(size_t count, const float *t_
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *distance_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], theta_in[j], g_in, gamma_in);
-            distance_here = gs_v_load(distance_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), factor1));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_drag(t_in[at + j], theta_in[at + j], g_in, gamma_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, gamma_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -1280,7 +1572,6 @@ void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *distance_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
@@ -1288,39 +1579,52 @@ void GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(size_t count, const float *t
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in);
-            distance_here = gs_v_load(distance_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), factor1);
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, gamma_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, gamma_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -1328,53 +1632,66 @@ void GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *distance_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
-            gamma_in = gs_padded(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j]);
-            distance_here = gs_v_load(distance_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), factor1)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], distance_here);
-            memcpy(distance_out, pad[5], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), gs_padded(pad[4], gamma_in, rest), pad[5]);
+        memcpy(distance_out, pad[5], rest * sizeof *distance_out);
     }
 }
 
@@ -1382,53 +1699,66 @@ void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const d
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *distance_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
-            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j]);
-            distance_here = gs_v_load(distance_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), factor1));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], distance_here);
-            memcpy(distance_out, pad[5], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), gs_padded_single(pad[4], gamma_in, rest), pad[5]);
+        memcpy(distance_out, pad[5], rest * sizeof *distance_out);
     }
 }
 
@@ -1436,7 +1766,6 @@ void GS_JOIN(gs_chord_distance_friction_drag_nf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *distance_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -1444,43 +1773,59 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in);
-            distance_here = gs_v_load(distance_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), factor1)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[at + j], theta_in[at + j], g_in, mu_in, gamma_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -1488,7 +1833,6 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *distance_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -1499,40 +1843,56 @@ void GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(size_t count, const
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in);
-            distance_here = gs_v_load(distance_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), factor1));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in, gamma_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -1540,42 +1900,50 @@ void GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(size_t count, const
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *speed_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), C));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], theta_in[j], g_in[j]);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_product(g, t), C));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_free(t_in[at + j], theta_in[at + j], g_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], speed_here);
-            memcpy(speed_out, pad[3], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(speed_out, pad[3], rest * sizeof *speed_out);
     }
 }
 
@@ -1583,42 +1951,50 @@ void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in,
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *speed_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j]);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], speed_here);
-            memcpy(speed_out, pad[3], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_speed_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(speed_out, pad[3], rest * sizeof *speed_out);
     }
 }
 
@@ -1626,42 +2002,50 @@ void GS_JOIN(gs_chord_speed_free_nf, GS_SUFFIX)(size_t count, const float *t_in,
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *speed_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), C));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], theta_in[j], g_in);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_product(g, t), C));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_free(t_in[at + j], theta_in[at + j], g_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -1669,42 +2053,50 @@ void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *speed_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], gs_wide_angle(theta_in[j]), g_in);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -1712,47 +2104,57 @@ void GS_JOIN(gs_chord_speed_free_nuf, GS_SUFFIX)(size_t count, const float *t_in
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *speed_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), n)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], theta_in[j], g_in[j], mu_in[j]);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_product(g, t), n)));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], speed_here);
-            memcpy(speed_out, pad[4], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), pad[4]);
+        memcpy(speed_out, pad[4], rest * sizeof *speed_out);
     }
 }
 
@@ -1760,47 +2162,57 @@ void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *speed_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j]);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], speed_here);
-            memcpy(speed_out, pad[4], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), pad[4]);
+        memcpy(speed_out, pad[4], rest * sizeof *speed_out);
     }
 }
 
@@ -1808,46 +2220,57 @@ void GS_JOIN(gs_chord_speed_friction_nf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *speed_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), n)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], theta_in[j], g_in, mu_in);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_product(g, t), n)));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction(t_in[at + j], theta_in[at + j], g_in, mu_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -1855,7 +2278,6 @@ void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *speed_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -1863,38 +2285,50 @@ void GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(size_t count, const float *
     known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -1902,47 +2336,58 @@ void GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(size_t count, const float *
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *speed_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j]);
-            speed_here = gs_v_load(speed_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_product(g, t), C), factor1));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_drag(t_in[at + j], theta_in[at + j], g_in[at + j], gamma_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], speed_here);
-            memcpy(speed_out, pad[4], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4]);
+        memcpy(speed_out, pad[4], rest * sizeof *speed_out);
     }
 }
 
@@ -1950,47 +2395,58 @@ void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in,
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *speed_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), gs_s_phi1m(z));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j]);
-            speed_here = gs_v_load(speed_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), factor1);
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], gamma_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], speed_here);
-            memcpy(speed_out, pad[4], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_speed_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4]);
+        memcpy(speed_out, pad[4], rest * sizeof *speed_out);
     }
 }
 
@@ -1998,46 +2454,58 @@ void GS_JOIN(gs_chord_speed_drag_nf, GS_SUFFIX)(size_t count, const float *t_in,
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *speed_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], theta_in[j], g_in, gamma_in);
-            speed_here = gs_v_load(speed_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_product(g, t), C), factor1));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_drag(t_in[at + j], theta_in[at + j], g_in, gamma_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, gamma_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -2045,7 +2513,6 @@ void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *speed_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
@@ -2053,38 +2520,51 @@ void GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), gs_s_phi1m(z));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in);
-            speed_here = gs_v_load(speed_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), factor1);
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, gamma_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, gamma_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -2092,52 +2572,65 @@ void GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *speed_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
-            gamma_in = gs_padded(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j]);
-            speed_here = gs_v_load(speed_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_product(g, t), n), factor1)));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], speed_here);
-            memcpy(speed_out, pad[5], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), gs_padded(pad[4], gamma_in, rest), pad[5]);
+        memcpy(speed_out, pad[5], rest * sizeof *speed_out);
     }
 }
 
@@ -2145,52 +2638,65 @@ void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *speed_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
-            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), gs_s_phi1m(z)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j]);
-            speed_here = gs_v_load(speed_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), factor1));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], speed_here);
-            memcpy(speed_out, pad[5], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), gs_padded_single(pad[4], gamma_in, rest), pad[5]);
+        memcpy(speed_out, pad[5], rest * sizeof *speed_out);
     }
 }
 
@@ -2198,7 +2704,6 @@ void GS_JOIN(gs_chord_speed_friction_drag_nf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *speed_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -2206,42 +2711,58 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in);
-            speed_here = gs_v_load(speed_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_product(g, t), n), factor1)));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[at + j], theta_in[at + j], g_in, mu_in, gamma_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -2249,7 +2770,6 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *speed_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -2260,39 +2780,55 @@ void GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(size_t count, const fl
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), gs_s_phi1m(z)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in);
-            speed_here = gs_v_load(speed_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), factor1));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in, gamma_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -2300,51 +2836,61 @@ void GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(size_t count, const fl
  * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *x_out, double *y_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp shared = gs_vp_mul(fall, C);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5));
-        gs_v y_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_free(t_in[j], theta_in[j], g_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, C);
+            gs_v x_here = gs_mul(gs_vp_value(gs_vp_mul(shared, S)), gs_v_of(0.5));
+            gs_v y_here = gs_mul(gs_vp_value(gs_vp_mul(shared, C)), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_free(t_in[at + j], theta_in[at + j], g_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], x_here);
-            memcpy(x_out, pad[3], here * sizeof *x_out);
-            gs_v_store(pad[4], y_here);
-            memcpy(y_out, pad[4], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), pad[3], pad[4]);
+        memcpy(x_out, pad[3], rest * sizeof *x_out);
+        memcpy(y_out, pad[4], rest * sizeof *y_out);
     }
 }
 
@@ -2352,51 +2898,61 @@ void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_
  * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *x_out, float *y_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v shared = gs_s_mul(fall, C);
-        const gs_v S = gs_s_sine(a);
-        gs_v x_here = gs_s_scaled(gs_s_mul(shared, S), 0.5);
-        gs_v y_here = gs_s_scaled(gs_s_mul(shared, C), 0.5);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, C);
+            gs_v x_here = gs_mul(gs_s_mul(shared, S), gs_v_of(0.5));
+            gs_v y_here = gs_mul(gs_s_mul(shared, C), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], x_here);
-            memcpy(x_out, pad[3], here * sizeof *x_out);
-            gs_v_narrow(pad[4], y_here);
-            memcpy(y_out, pad[4], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_position_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3], pad[4]);
+        memcpy(x_out, pad[3], rest * sizeof *x_out);
+        memcpy(y_out, pad[4], rest * sizeof *y_out);
     }
 }
 
@@ -2404,51 +2960,61 @@ void GS_JOIN(gs_chord_position_free_nf, GS_SUFFIX)(size_t count, const float *t_
  * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp shared = gs_vp_mul(fall, C);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5));
-        gs_v y_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_free(t_in[j], theta_in[j], g_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, C);
+            gs_v x_here = gs_mul(gs_vp_value(gs_vp_mul(shared, S)), gs_v_of(0.5));
+            gs_v y_here = gs_mul(gs_vp_value(gs_vp_mul(shared, C)), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_free(t_in[at + j], theta_in[at + j], g_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -2456,51 +3022,61 @@ void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t
  * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v shared = gs_s_mul(fall, C);
-        const gs_v S = gs_s_sine(a);
-        gs_v x_here = gs_s_scaled(gs_s_mul(shared, S), 0.5);
-        gs_v y_here = gs_s_scaled(gs_s_mul(shared, C), 0.5);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_free(t_in[j], gs_wide_angle(theta_in[j]), g_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, C);
+            gs_v x_here = gs_mul(gs_s_mul(shared, S), gs_v_of(0.5));
+            gs_v y_here = gs_mul(gs_s_mul(shared, C), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -2508,57 +3084,70 @@ void GS_JOIN(gs_chord_position_free_nuf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *x_out, double *y_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp shared = gs_vp_mul(fall, n);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5)));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction(t_in[j], theta_in[j], g_in[j], mu_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, n);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(shared, S)), gs_v_of(0.5)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(shared, C)), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_store(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -2566,57 +3155,70 @@ void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *x_out, float *y_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v shared = gs_s_mul(fall, n);
-        const gs_v S = gs_s_sine(a);
-        const gs_v C = gs_s_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, S), 0.5));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, C), 0.5));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, n);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(shared, S), gs_v_of(0.5)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(shared, C), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_narrow(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -2624,56 +3226,70 @@ void GS_JOIN(gs_chord_position_friction_nf, GS_SUFFIX)(size_t count, const float
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp shared = gs_vp_mul(fall, n);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5)));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction(t_in[j], theta_in[j], g_in, mu_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, n);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(shared, S)), gs_v_of(0.5)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(shared, C)), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction(t_in[at + j], theta_in[at + j], g_in, mu_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -2681,7 +3297,6 @@ void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -2689,48 +3304,63 @@ void GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(size_t count, const floa
     known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v shared = gs_s_mul(fall, n);
-        const gs_v S = gs_s_sine(a);
-        const gs_v C = gs_s_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, S), 0.5));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, C), 0.5));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, n);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(shared, S), gs_v_of(0.5)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(shared, C), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -2738,56 +3368,69 @@ void GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(size_t count, const floa
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *x_out, double *y_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp z = gs_vp_product(gamma, t);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
-        const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
-        gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), factor1);
+            gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
+            gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_drag(t_in[at + j], theta_in[at + j], g_in[at + j], gamma_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_store(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -2795,56 +3438,69 @@ void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *x_out, float *y_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v z = gs_s_mul(t, gamma);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
-        const gs_v S = gs_s_sine(a);
-        gs_v x_here = gs_s_mul(shared, S);
-        gs_v y_here = gs_s_mul(shared, C);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(gs_s_mul(fall, C), factor1);
+            gs_v x_here = gs_s_mul(shared, S);
+            gs_v y_here = gs_s_mul(shared, C);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], gamma_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_narrow(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_position_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -2852,55 +3508,69 @@ void GS_JOIN(gs_chord_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp z = gs_vp_product(gamma, t);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
-        const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
-        gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_drag(t_in[j], theta_in[j], g_in, gamma_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), factor1);
+            gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
+            gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_drag(t_in[at + j], theta_in[at + j], g_in, gamma_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, gamma_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -2908,7 +3578,6 @@ void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
@@ -2916,47 +3585,62 @@ void GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v z = gs_s_mul(t, gamma);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
-        const gs_v S = gs_s_sine(a);
-        gs_v x_here = gs_s_mul(shared, S);
-        gs_v y_here = gs_s_mul(shared, C);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(gs_s_mul(fall, C), factor1);
+            gs_v x_here = gs_s_mul(shared, S);
+            gs_v y_here = gs_s_mul(shared, C);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, gamma_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, gamma_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -2964,62 +3648,78 @@ void GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *x_out, double *y_out)
 {
-    double pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
-            gamma_in = gs_padded(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), factor1);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction_drag(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], x_here);
-            memcpy(x_out, pad[5], here * sizeof *x_out);
-            gs_v_store(pad[6], y_here);
-            memcpy(y_out, pad[6], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[7][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), gs_padded(pad[4], gamma_in, rest), pad[5], pad[6]);
+        memcpy(x_out, pad[5], rest * sizeof *x_out);
+        memcpy(y_out, pad[6], rest * sizeof *y_out);
     }
 }
 
@@ -3027,62 +3727,78 @@ void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const d
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *x_out, float *y_out)
 {
-    float pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
-            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z));
-        const gs_v S = gs_s_sine(a);
-        const gs_v C = gs_s_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(gs_s_mul(fall, n), factor1);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j], gamma_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], x_here);
-            memcpy(x_out, pad[5], here * sizeof *x_out);
-            gs_v_narrow(pad[6], y_here);
-            memcpy(y_out, pad[6], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[7][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), gs_padded_single(pad[4], gamma_in, rest), pad[5], pad[6]);
+        memcpy(x_out, pad[5], rest * sizeof *x_out);
+        memcpy(y_out, pad[6], rest * sizeof *y_out);
     }
 }
 
@@ -3090,7 +3806,6 @@ void GS_JOIN(gs_chord_position_friction_drag_nf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -3098,52 +3813,71 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), factor1);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction_drag(t_in[at + j], theta_in[at + j], g_in, mu_in, gamma_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -3151,7 +3885,6 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -3162,49 +3895,68 @@ void GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(size_t count, const
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z));
-        const gs_v S = gs_s_sine(a);
-        const gs_v C = gs_s_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(gs_s_mul(fall, n), factor1);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in, gamma_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -3212,49 +3964,46 @@ void GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(size_t count, const
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+            gs_v Y_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            gs_v R_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_free(t_in[at + j], g_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        gs_v R_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], X_here);
-            memcpy(X_out, pad[2], here * sizeof *X_out);
-            gs_v_store(pad[3], Y_here);
-            memcpy(Y_out, pad[3], here * sizeof *Y_out);
-            gs_v_store(pad[4], R_here);
-            memcpy(R_out, pad[4], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], g_in, rest), pad[2], pad[3], pad[4]);
+        memcpy(X_out, pad[2], rest * sizeof *X_out);
+        memcpy(Y_out, pad[3], rest * sizeof *Y_out);
+        memcpy(R_out, pad[4], rest * sizeof *R_out);
     }
 }
 
@@ -3262,49 +4011,46 @@ void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const 
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v X_here = gs_s_constant(0.0);
+            gs_v Y_here = gs_mul(fall, gs_v_of(0.25));
+            gs_v R_here = gs_mul(fall, gs_v_of(0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_free(t_in[at + j], g_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v X_here = gs_s_constant(0.0);
-        gs_v Y_here = gs_s_scaled(fall, 0.25);
-        gs_v R_here = gs_s_scaled(fall, 0.25);
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], X_here);
-            memcpy(X_out, pad[2], here * sizeof *X_out);
-            gs_v_narrow(pad[3], Y_here);
-            memcpy(Y_out, pad[3], here * sizeof *Y_out);
-            gs_v_narrow(pad[4], R_here);
-            memcpy(R_out, pad[4], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], g_in, rest), pad[2], pad[3], pad[4]);
+        memcpy(X_out, pad[2], rest * sizeof *X_out);
+        memcpy(Y_out, pad[3], rest * sizeof *Y_out);
+        memcpy(R_out, pad[4], rest * sizeof *R_out);
     }
 }
 
@@ -3312,49 +4058,47 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nf, GS_SUFFIX)(size_t count, const
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+            gs_v Y_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            gs_v R_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_free(t_in[at + j], g_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_load(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        gs_v R_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_store(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_store(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), g_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -3362,49 +4106,47 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v X_here = gs_s_constant(0.0);
+            gs_v Y_here = gs_mul(fall, gs_v_of(0.25));
+            gs_v R_here = gs_mul(fall, gs_v_of(0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_free(t_in[at + j], g_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v X_here = gs_s_constant(0.0);
-        gs_v Y_here = gs_s_scaled(fall, 0.25);
-        gs_v R_here = gs_s_scaled(fall, 0.25);
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_narrow(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_narrow(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), g_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -3412,53 +4154,49 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nuf, GS_SUFFIX)(size_t count, cons
  * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *mu_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
-            mu_in = gs_padded(pad[2], mu_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v X_here = gs_mul(gs_vp_value(gs_vp_times(fall, mu)), gs_v_of(0.25));
+            gs_v Y_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_product(mu, mu))), gs_vp_scaled(fall, 0.25)));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction(t_in[at + j], g_in[at + j], mu_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, fall), 0.25));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(fall, 0.25)));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in[j], mu_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], X_here);
-            memcpy(X_out, pad[3], here * sizeof *X_out);
-            gs_v_store(pad[4], Y_here);
-            memcpy(Y_out, pad[4], here * sizeof *Y_out);
-            gs_v_store(pad[5], R_here);
-            memcpy(R_out, pad[5], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], g_in, rest), gs_padded(pad[2], mu_in, rest), pad[3], pad[4], pad[5]);
+        memcpy(X_out, pad[3], rest * sizeof *X_out);
+        memcpy(Y_out, pad[4], rest * sizeof *Y_out);
+        memcpy(R_out, pad[5], rest * sizeof *R_out);
     }
 }
 
@@ -3466,53 +4204,49 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, co
  * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *mu_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
-            mu_in = gs_padded_single(pad[2], mu_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v X_here = gs_mul(gs_s_mul(mu, fall), gs_v_of(0.25));
+            gs_v Y_here = gs_mul(fall, gs_v_of(0.25));
+            gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(fall, 0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction(t_in[at + j], g_in[at + j], mu_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v X_here = gs_s_scaled(gs_s_mul(mu, fall), 0.25);
-        gs_v Y_here = gs_s_scaled(fall, 0.25);
-        gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(fall, 0.25));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in[j], mu_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], X_here);
-            memcpy(X_out, pad[3], here * sizeof *X_out);
-            gs_v_narrow(pad[4], Y_here);
-            memcpy(Y_out, pad[4], here * sizeof *Y_out);
-            gs_v_narrow(pad[5], R_here);
-            memcpy(R_out, pad[5], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], mu_in, rest), pad[3], pad[4], pad[5]);
+        memcpy(X_out, pad[3], rest * sizeof *X_out);
+        memcpy(Y_out, pad[4], rest * sizeof *Y_out);
+        memcpy(R_out, pad[5], rest * sizeof *R_out);
     }
 }
 
@@ -3520,53 +4254,51 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nf, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_product(mu, mu)));
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v X_here = gs_mul(gs_vp_value(gs_vp_times(fall, mu)), gs_v_of(0.25));
+            gs_v Y_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(fall, 0.25)));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction(t_in[at + j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_load(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, fall), 0.25));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(fall, 0.25)));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_store(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_store(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), g_in, mu_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -3574,7 +4306,6 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float mu_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -3583,44 +4314,43 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(size_t count, 
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v once1 = gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &known));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v X_here = gs_mul(gs_s_mul(mu, fall), gs_v_of(0.25));
+            gs_v Y_here = gs_mul(fall, gs_v_of(0.25));
+            gs_v R_here = gs_s_mul(once1, gs_s_scaled(fall, 0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction(t_in[at + j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v X_here = gs_s_scaled(gs_s_mul(mu, fall), 0.25);
-        gs_v Y_here = gs_s_scaled(fall, 0.25);
-        gs_v R_here = gs_s_mul(once1, gs_s_scaled(fall, 0.25));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_narrow(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_narrow(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), g_in, mu_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -3628,55 +4358,64 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(size_t count, 
  * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *gamma_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
-            gamma_in = gs_padded(pad[2], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        gs_v R_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, factor1);
+            gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+            gs_v Y_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            gs_v R_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_drag(t_in[at + j], g_in[at + j], gamma_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], X_here);
-            memcpy(X_out, pad[3], here * sizeof *X_out);
-            gs_v_store(pad[4], Y_here);
-            memcpy(Y_out, pad[4], here * sizeof *Y_out);
-            gs_v_store(pad[5], R_here);
-            memcpy(R_out, pad[5], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], g_in, rest), gs_padded(pad[2], gamma_in, rest), pad[3], pad[4], pad[5]);
+        memcpy(X_out, pad[3], rest * sizeof *X_out);
+        memcpy(Y_out, pad[4], rest * sizeof *Y_out);
+        memcpy(R_out, pad[5], rest * sizeof *R_out);
     }
 }
 
@@ -3684,55 +4423,64 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const 
  * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *gamma_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
-            gamma_in = gs_padded_single(pad[2], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
-        gs_v X_here = gs_s_constant(0.0);
-        gs_v Y_here = gs_s_scaled(shared, 0.5);
-        gs_v R_here = gs_s_scaled(shared, 0.5);
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, factor1);
+            gs_v X_here = gs_s_constant(0.0);
+            gs_v Y_here = gs_mul(shared, gs_v_of(0.5));
+            gs_v R_here = gs_mul(shared, gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_drag(t_in[at + j], g_in[at + j], gamma_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], X_here);
-            memcpy(X_out, pad[3], here * sizeof *X_out);
-            gs_v_narrow(pad[4], Y_here);
-            memcpy(Y_out, pad[4], here * sizeof *Y_out);
-            gs_v_narrow(pad[5], R_here);
-            memcpy(R_out, pad[5], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], gamma_in, rest), pad[3], pad[4], pad[5]);
+        memcpy(X_out, pad[3], rest * sizeof *X_out);
+        memcpy(Y_out, pad[4], rest * sizeof *Y_out);
+        memcpy(R_out, pad[5], rest * sizeof *R_out);
     }
 }
 
@@ -3740,54 +4488,64 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nf, GS_SUFFIX)(size_t count, const
  * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        gs_v R_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, factor1);
+            gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+            gs_v Y_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            gs_v R_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_drag(t_in[at + j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_store(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_store(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), g_in, gamma_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -3795,7 +4553,6 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const
  * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float gamma_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
@@ -3803,46 +4560,57 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(size_t count, cons
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
-        gs_v X_here = gs_s_constant(0.0);
-        gs_v Y_here = gs_s_scaled(shared, 0.5);
-        gs_v R_here = gs_s_scaled(shared, 0.5);
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, factor1);
+            gs_v X_here = gs_s_constant(0.0);
+            gs_v Y_here = gs_mul(shared, gs_v_of(0.5));
+            gs_v R_here = gs_mul(shared, gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_drag(t_in[at + j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_narrow(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_narrow(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), g_in, gamma_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -3850,59 +4618,68 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(size_t count, cons
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *mu_in, const double *gamma_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
-            mu_in = gs_padded(pad[2], mu_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, shared), 0.5));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(shared, 0.5)));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in[j], mu_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, factor1);
+            gs_v X_here = gs_mul(gs_vp_value(gs_vp_times(shared, mu)), gs_v_of(0.5));
+            gs_v Y_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_product(mu, mu))), gs_vp_scaled(shared, 0.5)));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction_drag(t_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], X_here);
-            memcpy(X_out, pad[4], here * sizeof *X_out);
-            gs_v_store(pad[5], Y_here);
-            memcpy(Y_out, pad[5], here * sizeof *Y_out);
-            gs_v_store(pad[6], R_here);
-            memcpy(R_out, pad[6], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[7][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], g_in, rest), gs_padded(pad[2], mu_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4], pad[5], pad[6]);
+        memcpy(X_out, pad[4], rest * sizeof *X_out);
+        memcpy(Y_out, pad[5], rest * sizeof *Y_out);
+        memcpy(R_out, pad[6], rest * sizeof *R_out);
     }
 }
 
@@ -3910,59 +4687,68 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t coun
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *mu_in, const float *gamma_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
-            mu_in = gs_padded_single(pad[2], mu_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
-        gs_v X_here = gs_s_scaled(gs_s_mul(mu, shared), 0.5);
-        gs_v Y_here = gs_s_scaled(shared, 0.5);
-        gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(shared, 0.5));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in[j], mu_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, factor1);
+            gs_v X_here = gs_mul(gs_s_mul(mu, shared), gs_v_of(0.5));
+            gs_v Y_here = gs_mul(shared, gs_v_of(0.5));
+            gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(shared, 0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction_drag(t_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], X_here);
-            memcpy(X_out, pad[4], here * sizeof *X_out);
-            gs_v_narrow(pad[5], Y_here);
-            memcpy(Y_out, pad[5], here * sizeof *Y_out);
-            gs_v_narrow(pad[6], R_here);
-            memcpy(R_out, pad[6], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[7][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], mu_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4], pad[5], pad[6]);
+        memcpy(X_out, pad[4], rest * sizeof *X_out);
+        memcpy(Y_out, pad[5], rest * sizeof *Y_out);
+        memcpy(R_out, pad[6], rest * sizeof *R_out);
     }
 }
 
@@ -3970,7 +4756,6 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nf, GS_SUFFIX)(size_t cou
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -3978,50 +4763,61 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_product(mu, mu)));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, shared), 0.5));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(shared, 0.5)));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, factor1);
+            gs_v X_here = gs_mul(gs_vp_value(gs_vp_times(shared, mu)), gs_v_of(0.5));
+            gs_v Y_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(shared, 0.5)));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction_drag(t_in[at + j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_store(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_store(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), g_in, mu_in, gamma_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -4029,7 +4825,6 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float mu_in, float gamma_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -4041,46 +4836,57 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(size_t co
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
     const gs_v once1 = gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &known));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
-        gs_v X_here = gs_s_scaled(gs_s_mul(mu, shared), 0.5);
-        gs_v Y_here = gs_s_scaled(shared, 0.5);
-        gs_v R_here = gs_s_mul(once1, gs_s_scaled(shared, 0.5));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, factor1);
+            gs_v X_here = gs_mul(gs_s_mul(mu, shared), gs_v_of(0.5));
+            gs_v Y_here = gs_mul(shared, gs_v_of(0.5));
+            gs_v R_here = gs_s_mul(once1, gs_s_scaled(shared, 0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction_drag(t_in[at + j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_narrow(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_narrow(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), g_in, mu_in, gamma_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -4088,32 +4894,43 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(size_t co
  * Operations: 1 table. */
 void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in, double *angle_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            mu_in = gs_padded(pad[0], mu_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp factor1_of_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(mu_here, 0x1p-100, 0x1p+100);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_vp factor1_of = gs_vp_load(mu);
+            good_kept[i] = good;
+            factor1_of_kept[i] = factor1_of;
         }
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(mu_here, 0x1p-100, 0x1p+100);
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        gs_v angle_here = gs_vp_value(gs_vp_acot(mu));
-        if (!gs_all(good)) {
-            double angle_each[GS_LANES];
-            gs_v_store(angle_each, angle_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    angle_each[j] = gs_scaled_chord_max_angle(mu_in[j]);
-            angle_here = gs_v_load(angle_each);
+        gs_vp_acot_each(block, factor1_of_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            gs_v angle_here = gs_vp_value(factor1);
+            if (!gs_all(good)) {
+                double angle_each[GS_LANES];
+                gs_v_store(angle_each, angle_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        angle_each[j] = gs_scaled_chord_max_angle(mu_in[at + j]);
+                angle_here = gs_v_load(angle_each);
+            }
+            gs_v_store(angle_out + at, angle_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], angle_here);
-            memcpy(angle_out, pad[1], here * sizeof *angle_out);
-            return;
-        }
-        gs_v_store(angle_out, angle_here);
-        count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
+        vectors -= block, mu_in += block * GS_LANES, angle_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], mu_in, rest), pad[1]);
+        memcpy(angle_out, pad[1], rest * sizeof *angle_out);
     }
 }
 
@@ -4121,32 +4938,43 @@ void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in,
  * Operations: 1 table. */
 void GS_JOIN(gs_chord_max_angle_nf, GS_SUFFIX)(size_t count, const float *mu_in, float *angle_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            mu_in = gs_padded_single(pad[0], mu_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v factor1_of_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(mu_here, 0.0, 0x1p+128);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v factor1_of = mu;
+            good_kept[i] = good;
+            factor1_of_kept[i] = factor1_of;
         }
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(mu_here, 0.0, 0x1p+128);
-        const gs_v mu = gs_select(good, mu_here, one);
-        gs_v angle_here = gs_s_acot(mu);
-        if (!gs_all(good)) {
-            double angle_each[GS_LANES];
-            gs_v_store(angle_each, angle_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    angle_each[j] = gs_scaled_chord_max_angle(mu_in[j]);
-            angle_here = gs_v_load(angle_each);
+        gs_s_acot_each(block, factor1_of_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            gs_v angle_here = factor1;
+            if (!gs_all(good)) {
+                double angle_each[GS_LANES];
+                gs_v_store(angle_each, angle_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        angle_each[j] = gs_scaled_chord_max_angle(mu_in[at + j]);
+                angle_here = gs_v_load(angle_each);
+            }
+            gs_v_narrow(angle_out + at, angle_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], angle_here);
-            memcpy(angle_out, pad[1], here * sizeof *angle_out);
-            return;
-        }
-        gs_v_narrow(angle_out, angle_here);
-        count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
+        vectors -= block, mu_in += block * GS_LANES, angle_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_max_angle_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], mu_in, rest), pad[1]);
+        memcpy(angle_out, pad[1], rest * sizeof *angle_out);
     }
 }
 
@@ -4154,43 +4982,57 @@ void GS_JOIN(gs_chord_max_angle_nf, GS_SUFFIX)(size_t count, const float *mu_in,
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *time_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp S = gs_vp_sine_of(theta_used);
+            good_kept[i] = good;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        gs_v time_here = gs_vp_value(gs_vp_scaled(rise, 2.0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[j], v_in[j], g_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], time_here);
-            memcpy(time_out, pad[3], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_vp_value(rise), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[at + j], v_in[at + j], g_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(time_out, pad[3], rest * sizeof *time_out);
     }
 }
 
@@ -4198,43 +5040,57 @@ void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const do
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *time_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v S = gs_s_sine_of(theta_used);
+            good_kept[i] = good;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        gs_v time_here = gs_s_scaled(rise, 2.0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], time_here);
-            memcpy(time_out, pad[3], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v time_here = gs_mul(rise, gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(time_out, pad[3], rest * sizeof *time_out);
     }
 }
 
@@ -4242,42 +5098,51 @@ void GS_JOIN(gs_projectile_flight_time_free_nf, GS_SUFFIX)(size_t count, const f
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp S = gs_vp_sine_of(theta_used);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        gs_v time_here = gs_vp_value(gs_vp_scaled(rise, 2.0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[j], v_in, g_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_vp_value(rise), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[at + j], v_in, g_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -4285,7 +5150,6 @@ void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const d
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -4293,34 +5157,44 @@ void GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(size_t count, const 
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v S = gs_s_sine_of(theta_used);
+            const gs_v rise = gs_s_mul(once1, S);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        gs_v time_here = gs_s_scaled(rise, 2.0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[j]), v_in, g_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v time_here = gs_mul(rise, gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[at + j]), v_in, g_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -4328,48 +5202,65 @@ void GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *time_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            k_in = gs_padded(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp S = gs_vp_sine_of(theta_used);
+            good_kept[i] = good;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v time_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            const gs_vp b = gs_vp_times(rise, k);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
+        gs_vp_flight_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_vp_value(gs_vp_mul(rise, factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
@@ -4377,48 +5268,65 @@ void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const do
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *time_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            k_in = gs_padded_single(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v S = gs_s_sine_of(theta_used);
+            good_kept[i] = good;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v time_here = gs_s_scaled(gs_s_mul(rise, gs_s_flight_factor(b)), 2.0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            const gs_v b = gs_s_mul(k, rise);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
+        gs_s_flight_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_s_mul(rise, factor1), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
@@ -4426,7 +5334,6 @@ void GS_JOIN(gs_projectile_flight_time_drag_nf, GS_SUFFIX)(size_t count, const f
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -4434,38 +5341,51 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp S = gs_vp_sine_of(theta_used);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp b = gs_vp_times(rise, k);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v time_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[j], v_in, g_in, k_in);
-            time_here = gs_v_load(time_each);
+        gs_vp_flight_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_vp_value(gs_vp_mul(rise, factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[at + j], v_in, g_in, k_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -4473,7 +5393,6 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -4484,35 +5403,48 @@ void GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(size_t count, const 
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v S = gs_s_sine_of(theta_used);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v b = gs_s_mul(k, rise);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v time_here = gs_s_scaled(gs_s_mul(rise, gs_s_flight_factor(b)), 2.0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
-            time_here = gs_v_load(time_each);
+        gs_s_flight_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_s_mul(rise, factor1), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -4520,44 +5452,63 @@ void GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *range_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[j], v_in[j], g_in[j]);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], range_here);
-            memcpy(range_out, pad[3], here * sizeof *range_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_times(rise, v), C)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[at + j], v_in[at + j], g_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(range_out, pad[3], rest * sizeof *range_out);
     }
 }
 
@@ -4565,44 +5516,63 @@ void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, con
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *range_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(v, rise), C), 2.0);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], range_here);
-            memcpy(range_out, pad[3], here * sizeof *range_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(range_out, pad[3], rest * sizeof *range_out);
     }
 }
 
@@ -4610,43 +5580,55 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nf, GS_SUFFIX)(size_t count, co
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *range_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp rise_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[j], v_in, g_in);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_times(rise, v), C)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[at + j], v_in, g_in);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], range_here);
-            memcpy(range_out, pad[1], here * sizeof *range_out);
-            return;
-        }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(range_out, pad[1], rest * sizeof *range_out);
     }
 }
 
@@ -4654,7 +5636,6 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, co
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *range_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -4662,35 +5643,48 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(size_t count, c
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v rise_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(v, rise), C), 2.0);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[j]), v_in, g_in);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[at + j]), v_in, g_in);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], range_here);
-            memcpy(range_out, pad[1], here * sizeof *range_out);
-            return;
-        }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(range_out, pad[1], rest * sizeof *range_out);
     }
 }
 
@@ -4698,49 +5692,71 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(size_t count, c
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *range_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            k_in = gs_padded(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            const gs_vp b = gs_vp_times(rise, k);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], range_here);
-            memcpy(range_out, pad[4], here * sizeof *range_out);
-            return;
+        gs_vp_range_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_times(rise, v), C), factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4]);
+        memcpy(range_out, pad[4], rest * sizeof *range_out);
     }
 }
 
@@ -4748,49 +5764,71 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, con
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *range_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            k_in = gs_padded_single(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_s_range_factor(b)), 2.0);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            const gs_v b = gs_s_mul(k, rise);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], range_here);
-            memcpy(range_out, pad[4], here * sizeof *range_out);
-            return;
+        gs_s_range_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), factor1), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4]);
+        memcpy(range_out, pad[4], rest * sizeof *range_out);
     }
 }
 
@@ -4798,7 +5836,6 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nf, GS_SUFFIX)(size_t count, co
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *range_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -4806,39 +5843,55 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp rise_kept[GS_GROUP], C_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp b = gs_vp_times(rise, k);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[j], v_in, g_in, k_in);
-            range_here = gs_v_load(range_each);
+        gs_vp_range_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_times(rise, v), C), factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[at + j], v_in, g_in, k_in);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], range_here);
-            memcpy(range_out, pad[1], here * sizeof *range_out);
-            return;
-        }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(range_out, pad[1], rest * sizeof *range_out);
     }
 }
 
@@ -4846,7 +5899,6 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *range_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -4857,36 +5909,52 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(size_t count, c
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v rise_kept[GS_GROUP], C_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v b = gs_s_mul(k, rise);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_s_range_factor(b)), 2.0);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
-            range_here = gs_v_load(range_each);
+        gs_s_range_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), factor1), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], range_here);
-            memcpy(range_out, pad[1], here * sizeof *range_out);
-            return;
-        }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(range_out, pad[1], rest * sizeof *range_out);
     }
 }
 
@@ -4894,55 +5962,65 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, double *x_out, double *y_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            v_in = gs_padded(pad[2], v_in, here);
-            g_in = gs_padded(pad[3], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp reach = gs_vp_mul(t, v);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
-        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_free(t_in[j], theta_in[j], v_in[j], g_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp reach = gs_vp_product(v, t);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+            gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_free(t_in[at + j], theta_in[at + j], v_in[at + j], g_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_store(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], v_in, rest), gs_padded(pad[3], g_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -4950,55 +6028,65 @@ void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, float *x_out, float *y_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            v_in = gs_padded_single(pad[2], v_in, here);
-            g_in = gs_padded_single(pad[3], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v reach = gs_s_mul(t, v);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v x_here = gs_s_mul(reach, C);
-        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_free(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v reach = gs_s_mul(t, v);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v x_here = gs_s_mul(reach, C);
+            gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_narrow(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_position_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], v_in, rest), gs_padded_single(pad[3], g_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -5006,54 +6094,64 @@ void GS_JOIN(gs_projectile_position_free_nf, GS_SUFFIX)(size_t count, const floa
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp reach = gs_vp_mul(t, v);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
-        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_free(t_in[j], theta_in[j], v_in, g_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp reach = gs_vp_product(v, t);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+            gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_free(t_in[at + j], theta_in[at + j], v_in, g_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), v_in, g_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -5061,7 +6159,6 @@ void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -5069,46 +6166,57 @@ void GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(size_t count, const flo
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v reach = gs_s_mul(t, v);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v x_here = gs_s_mul(reach, C);
-        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_free(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v reach = gs_s_mul(t, v);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v x_here = gs_s_mul(reach, C);
+            gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in, g_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), v_in, g_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -5116,60 +6224,75 @@ void GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *x_out, double *y_out)
 {
-    double pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            v_in = gs_padded(pad[2], v_in, here);
-            g_in = gs_padded(pad[3], g_in, here);
-            k_in = gs_padded(pad[4], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp z = gs_vp_product(k, t);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp z = gs_vp_mul(t, k);
-        const gs_vp reach = gs_vp_mul(gs_vp_mul(t, v), gs_vp_phi1m(z));
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
-        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z))));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_drag(t_in[j], theta_in[j], v_in[j], g_in[j], k_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        gs_vp_phi2m_each(block, z_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp factor2 = factor2_kept[i];
+            const gs_vp reach = gs_vp_mul(gs_vp_product(v, t), factor1);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+            gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, factor2)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_drag(t_in[at + j], theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], x_here);
-            memcpy(x_out, pad[5], here * sizeof *x_out);
-            gs_v_store(pad[6], y_here);
-            memcpy(y_out, pad[6], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[7][GS_LANES];
+        GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], v_in, rest), gs_padded(pad[3], g_in, rest), gs_padded(pad[4], k_in, rest), pad[5], pad[6]);
+        memcpy(x_out, pad[5], rest * sizeof *x_out);
+        memcpy(y_out, pad[6], rest * sizeof *y_out);
     }
 }
 
@@ -5177,60 +6300,75 @@ void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *x_out, float *y_out)
 {
-    float pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            v_in = gs_padded_single(pad[2], v_in, here);
-            g_in = gs_padded_single(pad[3], g_in, here);
-            k_in = gs_padded_single(pad[4], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v z = gs_s_mul(t, k);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v z = gs_s_mul(t, k);
-        const gs_v reach = gs_s_mul(gs_s_mul(t, v), gs_s_phi1m(z));
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v x_here = gs_s_mul(reach, C);
-        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, gs_s_phi2m(z)), &good);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        gs_s_phi2m_each(block, z_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v factor2 = factor2_kept[i];
+            const gs_v reach = gs_s_mul(gs_s_mul(t, v), factor1);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v x_here = gs_s_mul(reach, C);
+            gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, factor2), &good);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], x_here);
-            memcpy(x_out, pad[5], here * sizeof *x_out);
-            gs_v_narrow(pad[6], y_here);
-            memcpy(y_out, pad[6], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[7][GS_LANES];
+        GS_JOIN(gs_projectile_position_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], v_in, rest), gs_padded_single(pad[3], g_in, rest), gs_padded_single(pad[4], k_in, rest), pad[5], pad[6]);
+        memcpy(x_out, pad[5], rest * sizeof *x_out);
+        memcpy(y_out, pad[6], rest * sizeof *y_out);
     }
 }
 
@@ -5238,7 +6376,6 @@ void GS_JOIN(gs_projectile_position_drag_nf, GS_SUFFIX)(size_t count, const floa
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -5246,50 +6383,67 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp z = gs_vp_product(k, t);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp z = gs_vp_mul(t, k);
-        const gs_vp reach = gs_vp_mul(gs_vp_mul(t, v), gs_vp_phi1m(z));
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
-        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z))));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_drag(t_in[j], theta_in[j], v_in, g_in, k_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        gs_vp_phi2m_each(block, z_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp factor2 = factor2_kept[i];
+            const gs_vp reach = gs_vp_mul(gs_vp_product(v, t), factor1);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+            gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, factor2)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_drag(t_in[at + j], theta_in[at + j], v_in, g_in, k_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), v_in, g_in, k_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -5297,7 +6451,6 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float k_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -5308,47 +6461,64 @@ void GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(size_t count, const flo
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v z = gs_s_mul(t, k);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v z = gs_s_mul(t, k);
-        const gs_v reach = gs_s_mul(gs_s_mul(t, v), gs_s_phi1m(z));
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v x_here = gs_s_mul(reach, C);
-        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, gs_s_phi2m(z)), &good);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, k_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        gs_s_phi2m_each(block, z_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v factor2 = factor2_kept[i];
+            const gs_v reach = gs_s_mul(gs_s_mul(t, v), factor1);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v x_here = gs_s_mul(reach, C);
+            gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, factor2), &good);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), v_in, g_in, k_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -5356,53 +6526,63 @@ void GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, double *vx_out, double *vy_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            v_in = gs_padded(pad[2], v_in, here);
-            g_in = gs_padded(pad[3], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = gs_vp_value(gs_vp_mul(v, C));
-        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g)));
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_free(t_in[j], theta_in[j], v_in[j], g_in[j], vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            gs_v vx_here = gs_vp_value(gs_vp_times(C, v));
+            gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_times(S, v), gs_vp_product(g, t)));
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_free(t_in[at + j], theta_in[at + j], v_in[at + j], g_in[at + j], vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_store(vx_out + at, vx_here);
+            gs_v_store(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], vx_here);
-            memcpy(vx_out, pad[4], here * sizeof *vx_out);
-            gs_v_store(pad[5], vy_here);
-            memcpy(vy_out, pad[5], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_store(vx_out, vx_here);
-        gs_v_store(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], v_in, rest), gs_padded(pad[3], g_in, rest), pad[4], pad[5]);
+        memcpy(vx_out, pad[4], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[5], rest * sizeof *vy_out);
     }
 }
 
@@ -5410,53 +6590,63 @@ void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, float *vx_out, float *vy_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            v_in = gs_padded_single(pad[2], v_in, here);
-            g_in = gs_padded_single(pad[3], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v vx_here = gs_s_mul(v, C);
-        gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_free(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            gs_v vx_here = gs_s_mul(v, C);
+            gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_narrow(vx_out + at, vx_here);
+            gs_v_narrow(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], vx_here);
-            memcpy(vx_out, pad[4], here * sizeof *vx_out);
-            gs_v_narrow(pad[5], vy_here);
-            memcpy(vy_out, pad[5], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_narrow(vx_out, vx_here);
-        gs_v_narrow(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], v_in, rest), gs_padded_single(pad[3], g_in, rest), pad[4], pad[5]);
+        memcpy(vx_out, pad[4], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[5], rest * sizeof *vy_out);
     }
 }
 
@@ -5464,52 +6654,62 @@ void GS_JOIN(gs_projectile_velocity_free_nf, GS_SUFFIX)(size_t count, const floa
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = gs_vp_value(gs_vp_mul(v, C));
-        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g)));
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_free(t_in[j], theta_in[j], v_in, g_in, vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            gs_v vx_here = gs_vp_value(gs_vp_times(C, v));
+            gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_times(S, v), gs_vp_product(g, t)));
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_free(t_in[at + j], theta_in[at + j], v_in, g_in, vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_store(vx_out + at, vx_here);
+            gs_v_store(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], vx_here);
-            memcpy(vx_out, pad[2], here * sizeof *vx_out);
-            gs_v_store(pad[3], vy_here);
-            memcpy(vy_out, pad[3], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_store(vx_out, vx_here);
-        gs_v_store(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), v_in, g_in, pad[2], pad[3]);
+        memcpy(vx_out, pad[2], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[3], rest * sizeof *vy_out);
     }
 }
 
@@ -5517,7 +6717,6 @@ void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float *vx_out, float *vy_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -5525,44 +6724,55 @@ void GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(size_t count, const flo
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v vx_here = gs_s_mul(v, C);
-        gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_free(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            gs_v vx_here = gs_s_mul(v, C);
+            gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in, g_in, vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_narrow(vx_out + at, vx_here);
+            gs_v_narrow(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], vx_here);
-            memcpy(vx_out, pad[2], here * sizeof *vx_out);
-            gs_v_narrow(pad[3], vy_here);
-            memcpy(vy_out, pad[3], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_narrow(vx_out, vx_here);
-        gs_v_narrow(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), v_in, g_in, pad[2], pad[3]);
+        memcpy(vx_out, pad[2], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[3], rest * sizeof *vy_out);
     }
 }
 
@@ -5570,59 +6780,73 @@ void GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *vx_out, double *vy_out)
 {
-    double pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            v_in = gs_padded(pad[2], v_in, here);
-            g_in = gs_padded(pad[3], g_in, here);
-            k_in = gs_padded(pad[4], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp z = gs_vp_product(k, t);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp z = gs_vp_mul(t, k);
-        const gs_vp fade = gs_vp_phi0m(z, &good);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_mul(v, fade), C));
-        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z))));
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_drag(t_in[j], theta_in[j], v_in[j], g_in[j], k_in[j], vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp z = z_kept[i];
+            const gs_vp fade = gs_vp_phi0m(z, &good);
+            gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_times(fade, v), C));
+            gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_times(fade, v), S), gs_vp_mul(gs_vp_product(g, t), factor1)));
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_drag(t_in[at + j], theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j], vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_store(vx_out + at, vx_here);
+            gs_v_store(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], vx_here);
-            memcpy(vx_out, pad[5], here * sizeof *vx_out);
-            gs_v_store(pad[6], vy_here);
-            memcpy(vy_out, pad[6], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_store(vx_out, vx_here);
-        gs_v_store(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[7][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], v_in, rest), gs_padded(pad[3], g_in, rest), gs_padded(pad[4], k_in, rest), pad[5], pad[6]);
+        memcpy(vx_out, pad[5], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[6], rest * sizeof *vy_out);
     }
 }
 
@@ -5630,59 +6854,73 @@ void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *vx_out, float *vy_out)
 {
-    float pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            v_in = gs_padded_single(pad[2], v_in, here);
-            g_in = gs_padded_single(pad[3], g_in, here);
-            k_in = gs_padded_single(pad[4], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v z = gs_s_mul(t, k);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v z = gs_s_mul(t, k);
-        const gs_v fade = gs_s_phi0m(z);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
-        gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), gs_s_phi1m(z)), &good);
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j], vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v z = z_kept[i];
+            const gs_v fade = gs_s_phi0m(z);
+            gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
+            gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), factor1), &good);
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j], vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_narrow(vx_out + at, vx_here);
+            gs_v_narrow(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], vx_here);
-            memcpy(vx_out, pad[5], here * sizeof *vx_out);
-            gs_v_narrow(pad[6], vy_here);
-            memcpy(vy_out, pad[6], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_narrow(vx_out, vx_here);
-        gs_v_narrow(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[7][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], v_in, rest), gs_padded_single(pad[3], g_in, rest), gs_padded_single(pad[4], k_in, rest), pad[5], pad[6]);
+        memcpy(vx_out, pad[5], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[6], rest * sizeof *vy_out);
     }
 }
 
@@ -5690,7 +6928,6 @@ void GS_JOIN(gs_projectile_velocity_drag_nf, GS_SUFFIX)(size_t count, const floa
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *vx_out, double *vy_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -5698,49 +6935,65 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp z = gs_vp_product(k, t);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp z = gs_vp_mul(t, k);
-        const gs_vp fade = gs_vp_phi0m(z, &good);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_mul(v, fade), C));
-        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z))));
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_drag(t_in[j], theta_in[j], v_in, g_in, k_in, vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp z = z_kept[i];
+            const gs_vp fade = gs_vp_phi0m(z, &good);
+            gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_times(fade, v), C));
+            gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_times(fade, v), S), gs_vp_mul(gs_vp_product(g, t), factor1)));
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_drag(t_in[at + j], theta_in[at + j], v_in, g_in, k_in, vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_store(vx_out + at, vx_here);
+            gs_v_store(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], vx_here);
-            memcpy(vx_out, pad[2], here * sizeof *vx_out);
-            gs_v_store(pad[3], vy_here);
-            memcpy(vy_out, pad[3], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_store(vx_out, vx_here);
-        gs_v_store(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), v_in, g_in, k_in, pad[2], pad[3]);
+        memcpy(vx_out, pad[2], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[3], rest * sizeof *vy_out);
     }
 }
 
@@ -5748,7 +7001,6 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float k_in, float *vx_out, float *vy_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -5759,46 +7011,62 @@ void GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(size_t count, const flo
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v z = gs_s_mul(t, k);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v z = gs_s_mul(t, k);
-        const gs_v fade = gs_s_phi0m(z);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
-        gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), gs_s_phi1m(z)), &good);
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, k_in, vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v z = z_kept[i];
+            const gs_v fade = gs_s_phi0m(z);
+            gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
+            gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), factor1), &good);
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in, vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_narrow(vx_out + at, vx_here);
+            gs_v_narrow(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], vx_here);
-            memcpy(vx_out, pad[2], here * sizeof *vx_out);
-            gs_v_narrow(pad[3], vy_here);
-            memcpy(vy_out, pad[3], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_narrow(vx_out, vx_here);
-        gs_v_narrow(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), v_in, g_in, k_in, pad[2], pad[3]);
+        memcpy(vx_out, pad[2], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[3], rest * sizeof *vy_out);
     }
 }
 
@@ -5806,43 +7074,54 @@ void GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *slope_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[j], v_in[j], g_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S)))), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[at + j], v_in[at + j], g_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], slope_here);
-            memcpy(slope_out, pad[3], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(slope_out, pad[3], rest * sizeof *slope_out);
     }
 }
 
@@ -5850,43 +7129,54 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, co
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *slope_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(v, v), gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), g), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_div(gs_s_mul(v, v), g), gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], slope_here);
-            memcpy(slope_out, pad[3], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(slope_out, pad[3], rest * sizeof *slope_out);
     }
 }
 
@@ -5894,43 +7184,54 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nf, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp once1 = gs_vp_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp once1 = gs_vp_over(gs_vp_product(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[j], v_in, g_in);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S)))), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[at + j], v_in, g_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -5938,7 +7239,6 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *slope_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -5946,35 +7246,47 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(size_t count, 
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    const gs_v once1 = gs_s_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(gs_s_mul(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(once1, gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), g), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[j]), v_in, g_in);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(once1, gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[at + j]), v_in, g_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -5982,49 +7294,75 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(size_t count, 
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *slope_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            k_in = gs_padded(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            const gs_vp b = gs_vp_times(rise, k);
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], slope_here);
-            memcpy(slope_out, pad[4], here * sizeof *slope_out);
-            return;
+        gs_vp_grown_balance_each(block, b_kept, factor1_kept);
+        gs_vp_range_factor_each(block, b_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp b = b_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp factor2 = factor2_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_mul(gs_vp_phi0m(b, &good), factor1)), gs_vp_mul(S, S))), factor2)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4]);
+        memcpy(slope_out, pad[4], rest * sizeof *slope_out);
     }
 }
 
@@ -6032,49 +7370,75 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, co
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *slope_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            k_in = gs_padded_single(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(v, v), gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_range_balance(b)), gs_s_mul(S, S), &good)), gs_s_range_factor(b)), g), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            const gs_v b = gs_s_mul(k, rise);
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], slope_here);
-            memcpy(slope_out, pad[4], here * sizeof *slope_out);
-            return;
+        gs_s_grown_balance_each(block, b_kept, factor1_kept);
+        gs_s_range_factor_each(block, b_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v b = b_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v factor2 = factor2_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_mul(gs_s_div(gs_s_mul(v, v), g), gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_mul(gs_s_phi0m(b), factor1)), gs_s_mul(S, S), &good)), factor2), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4]);
+        memcpy(slope_out, pad[4], rest * sizeof *slope_out);
     }
 }
 
@@ -6082,7 +7446,6 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nf, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -6090,40 +7453,59 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    const gs_vp once1 = gs_vp_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    const gs_vp once2 = gs_vp_over(gs_vp_product(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp b = gs_vp_times(rise, k);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[j], v_in, g_in, k_in);
-            slope_here = gs_v_load(slope_each);
+        gs_vp_grown_balance_each(block, b_kept, factor1_kept);
+        gs_vp_range_factor_each(block, b_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp b = b_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp factor2 = factor2_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_mul(once2, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_mul(gs_vp_phi0m(b, &good), factor1)), gs_vp_mul(S, S))), factor2)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[at + j], v_in, g_in, k_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -6131,7 +7513,6 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *slope_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -6142,37 +7523,56 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(size_t count, 
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    const gs_v once1 = gs_s_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    const gs_v once2 = gs_s_div(gs_s_mul(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v b = gs_s_mul(k, rise);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(once1, gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_range_balance(b)), gs_s_mul(S, S), &good)), gs_s_range_factor(b)), g), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
-            slope_here = gs_v_load(slope_each);
+        gs_s_grown_balance_each(block, b_kept, factor1_kept);
+        gs_s_range_factor_each(block, b_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v b = b_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v factor2 = factor2_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_mul(once2, gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_mul(gs_s_phi0m(b), factor1)), gs_s_mul(S, S), &good)), factor2), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -6180,44 +7580,66 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(size_t count, 
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *slope_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), g)), gs_vp_constant(3.0)), 8.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[j], v_in[j], g_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], slope_here);
-            memcpy(slope_out, pad[3], here * sizeof *slope_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), rise), C), S)), gs_vp_constant(3.0))), gs_v_of(8.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[at + j], v_in[at + j], g_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(slope_out, pad[3], rest * sizeof *slope_out);
     }
 }
 
@@ -6225,44 +7647,66 @@ void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const 
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *slope_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, v), rise), C), S), g)), gs_s_constant(3.0)), 8.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], slope_here);
-            memcpy(slope_out, pad[3], here * sizeof *slope_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_mul(gs_s_mul(gs_s_mul(gs_s_div(gs_s_mul(v, v), g), rise), C), S)), gs_s_constant(3.0)), gs_v_of(8.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(slope_out, pad[3], rest * sizeof *slope_out);
     }
 }
 
@@ -6270,44 +7714,58 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nf, GS_SUFFIX)(size_t count, const
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp once1 = gs_vp_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    const gs_vp once2 = gs_vp_over(gs_vp_product(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], rise_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), g)), gs_vp_constant(3.0)), 8.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[j], v_in, g_in);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_mul(gs_vp_mul(gs_vp_mul(once2, rise), C), S)), gs_vp_constant(3.0))), gs_v_of(8.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[at + j], v_in, g_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -6315,7 +7773,6 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *slope_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -6323,36 +7780,51 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(size_t count, cons
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    const gs_v once1 = gs_s_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    const gs_v once2 = gs_s_div(gs_s_mul(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], rise_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(once1, rise), C), S), g)), gs_s_constant(3.0)), 8.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[j]), v_in, g_in);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_mul(gs_s_mul(gs_s_mul(once2, rise), C), S)), gs_s_constant(3.0)), gs_v_of(8.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[at + j]), v_in, g_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -6360,49 +7832,74 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(size_t count, cons
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *slope_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            k_in = gs_padded(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), gs_vp_range_loss(b)), g)), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            const gs_vp b = gs_vp_times(rise, k);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], slope_here);
-            memcpy(slope_out, pad[4], here * sizeof *slope_out);
-            return;
+        gs_vp_range_loss_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), rise), C), S), factor1))), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4]);
+        memcpy(slope_out, pad[4], rest * sizeof *slope_out);
     }
 }
 
@@ -6410,49 +7907,74 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const 
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *slope_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            k_in = gs_padded_single(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v slope_here = gs_s_scaled(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, v), rise), C), S), gs_s_range_loss(b)), g)), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            const gs_v b = gs_s_mul(k, rise);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], slope_here);
-            memcpy(slope_out, pad[4], here * sizeof *slope_out);
-            return;
+        gs_s_range_loss_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_constant(-1.0), gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_div(gs_s_mul(v, v), g), rise), C), S), factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4]);
+        memcpy(slope_out, pad[4], rest * sizeof *slope_out);
     }
 }
 
@@ -6460,7 +7982,6 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nf, GS_SUFFIX)(size_t count, const
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -6468,40 +7989,58 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    const gs_vp once1 = gs_vp_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    const gs_vp once2 = gs_vp_over(gs_vp_product(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], rise_kept[GS_GROUP], C_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp b = gs_vp_times(rise, k);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), gs_vp_range_loss(b)), g)), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[j], v_in, g_in, k_in);
-            slope_here = gs_v_load(slope_each);
+        gs_vp_range_loss_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once2, rise), C), S), factor1))), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[at + j], v_in, g_in, k_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -6509,7 +8048,6 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *slope_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -6520,37 +8058,55 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(size_t count, cons
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    const gs_v once1 = gs_s_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    const gs_v once2 = gs_s_div(gs_s_mul(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], rise_kept[GS_GROUP], C_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v b = gs_s_mul(k, rise);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v slope_here = gs_s_scaled(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(once1, rise), C), S), gs_s_range_loss(b)), g)), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
-            slope_here = gs_v_load(slope_each);
+        gs_s_range_loss_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_constant(-1.0), gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(once2, rise), C), S), factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -6558,36 +8114,35 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(size_t count, cons
  * Operations: 1 div, 1 mul. */
 void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const double *v_in, const double *g_in, double *range_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            v_in = gs_padded(pad[0], v_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            gs_v range_here = gs_vp_value(gs_vp_over(gs_vp_product(v, v), g));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_max_range_free(v_in[at + j], g_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        gs_v range_here = gs_vp_value(gs_vp_div(gs_vp_mul(v, v), g));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_max_range_free(v_in[j], g_in[j]);
-            range_here = gs_v_load(range_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], range_here);
-            memcpy(range_out, pad[2], here * sizeof *range_out);
-            return;
-        }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, v_in += block * GS_LANES, g_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], v_in, rest), gs_padded(pad[1], g_in, rest), pad[2]);
+        memcpy(range_out, pad[2], rest * sizeof *range_out);
     }
 }
 
@@ -6595,36 +8150,35 @@ void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 div, 1 mul. */
 void GS_JOIN(gs_projectile_max_range_free_nf, GS_SUFFIX)(size_t count, const float *v_in, const float *g_in, float *range_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            v_in = gs_padded_single(pad[0], v_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            gs_v range_here = gs_s_div(gs_s_mul(v, v), g);
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_max_range_free(v_in[at + j], g_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        gs_v range_here = gs_s_div(gs_s_mul(v, v), g);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_max_range_free(v_in[j], g_in[j]);
-            range_here = gs_v_load(range_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], range_here);
-            memcpy(range_out, pad[2], here * sizeof *range_out);
-            return;
-        }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, v_in += block * GS_LANES, g_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_max_range_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], v_in, rest), gs_padded_single(pad[1], g_in, rest), pad[2]);
+        memcpy(range_out, pad[2], rest * sizeof *range_out);
     }
 }
 
@@ -6632,41 +8186,53 @@ void GS_JOIN(gs_projectile_max_range_free_nf, GS_SUFFIX)(size_t count, const flo
  * Operations: 2 div, 3 mul, 1 table. */
 void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const double *v_in, const double *g_in, const double *k_in, double *range_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            v_in = gs_padded(pad[0], v_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
-            k_in = gs_padded(pad[2], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp alpha_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp alpha = gs_vp_over(gs_vp_product(k, v), g);
+            good_kept[i] = good;
+            alpha_kept[i] = alpha;
         }
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_vp alpha = gs_vp_div(gs_vp_mul(v, k), g);
-        gs_v range_here = gs_vp_value(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_max_range_factor(alpha)), g));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_max_range_drag(v_in[j], g_in[j], k_in[j]);
-            range_here = gs_v_load(range_each);
+        gs_vp_max_range_factor_each(block, alpha_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            gs_v range_here = gs_vp_value(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), factor1));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_max_range_drag(v_in[at + j], g_in[at + j], k_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], range_here);
-            memcpy(range_out, pad[3], here * sizeof *range_out);
-            return;
-        }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], v_in, rest), gs_padded(pad[1], g_in, rest), gs_padded(pad[2], k_in, rest), pad[3]);
+        memcpy(range_out, pad[3], rest * sizeof *range_out);
     }
 }
 
@@ -6674,41 +8240,53 @@ void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const doub
  * Operations: 2 div, 3 mul, 1 table. */
 void GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(size_t count, const float *v_in, const float *g_in, const float *k_in, float *range_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            v_in = gs_padded_single(pad[0], v_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
-            k_in = gs_padded_single(pad[2], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v alpha_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
+            good_kept[i] = good;
+            alpha_kept[i] = alpha;
         }
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
-        gs_v range_here = gs_s_div(gs_s_mul(gs_s_mul(v, v), gs_s_max_range_factor(alpha)), g);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_max_range_drag(v_in[j], g_in[j], k_in[j]);
-            range_here = gs_v_load(range_each);
+        gs_s_max_range_factor_each(block, alpha_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            gs_v range_here = gs_s_mul(gs_s_div(gs_s_mul(v, v), g), factor1);
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_max_range_drag(v_in[at + j], g_in[at + j], k_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], range_here);
-            memcpy(range_out, pad[3], here * sizeof *range_out);
-            return;
-        }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], v_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], k_in, rest), pad[3]);
+        memcpy(range_out, pad[3], rest * sizeof *range_out);
     }
 }
 

@@ -1033,122 +1033,143 @@ static inline gs_v gs_descent_factor_value(gs_v x, gs_v *lo)
     return gs_all(here) ? r : gs_descent_factor_outside(x, r, lo);
 }
 
-/* T/(2 b), T = (1 + b)(1 - exp(-T)), on [0.0, 15.0): degree 14 on each of 16 pieces. */
+/* T/(2 b), T = (1 + b)(1 - exp(-T)), on [0.0, 255.0): degree 17 on each of 16 pieces. */
 GS_TABLE(gs_flight_factor_centre) = {
-    0x0.0p+0, 0x1.8000000000000p-2, 0x1.4000000000000p-1, 0x1.c000000000000p-1,
-    0x1.4000000000000p+0, 0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1,
-    0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.6000000000000p+2, 0x1.a000000000000p+2,
-    0x1.0000000000000p+3, 0x1.4000000000000p+3, 0x1.8000000000000p+3, 0x1.c000000000000p+3
+    0x0.0p+0, 0x1.8000000000000p-1, 0x1.8000000000000p+0, 0x1.4000000000000p+1,
+    0x1.0000000000000p+2, 0x1.8000000000000p+2, 0x1.2000000000000p+3, 0x1.a000000000000p+3,
+    0x1.3000000000000p+4, 0x1.b000000000000p+4, 0x1.3800000000000p+5, 0x1.b800000000000p+5,
+    0x1.3c00000000000p+6, 0x1.bc00000000000p+6, 0x1.3e00000000000p+7, 0x1.be00000000000p+7
 };
 GS_TABLE(gs_flight_factor_c0) = {
-    0x1.0000000000000p+0, 0x1.cc984a98863f2p-1, 0x1.b40dc266739a2p-1, 0x1.a067e9091713dp-1,
-    0x1.8941ce2c64e25p-1, 0x1.72474a4528b73p-1, 0x1.6130815ba1e0dp-1, 0x1.540b06a25919bp-1,
-    0x1.4549df6beba4cp-1, 0x1.379497341c568p-1, 0x1.2e1609a23c530p-1, 0x1.273876acb52a2p-1,
-    0x1.1ff6e420637afp-1, 0x1.1998655083cc7p-1, 0x1.15552c3ffae10p-1, 0x1.12491f1297d1dp-1
+    0x1.0000000000000p+0, 0x1.a9b7e4077da87p-1, 0x1.7cdc9c677ef25p-1, 0x1.5a357cff17628p-1,
+    0x1.3dc46e7b8fbbbp-1, 0x1.2a647efc19859p-1, 0x1.1c6e78691c81ep-1, 0x1.13b12c0d89638p-1,
+    0x1.0d794354ff4d8p-1, 0x1.097b425ecfcdep-1, 0x1.0690690690690p-1, 0x1.04a7904a7904ap-1,
+    0x1.033d91d2a2068p-1, 0x1.024e6a171024ep-1, 0x1.019c2d14ee4a1p-1, 0x1.0125e22708093p-1
 };
 GS_TABLE(gs_flight_factor_c0_lo) = {
-    0x0.0p+0, 0x1.5e957d3978dfcp-57, 0x1.709b7c0b6ba84p-55, 0x1.b9b37831be3e6p-56,
-    0x1.a64bb4f5db5dap-56, 0x1.e01930e9d2772p-58, -0x1.e4d17096d070fp-55, 0x1.d328f17006c9dp-56,
-    -0x1.6074b1b144b61p-59, 0x1.f7d65b352a806p-56, -0x1.ad9613a1cd8d9p-56, 0x1.4c1c5fac759cfp-56,
-    -0x1.1ab4316d19036p-56, -0x1.36ff433965414p-56, 0x1.0d3b3f7ef8344p-55, 0x1.4bec512ddeee2p-56
+    0x0.0p+0, -0x1.f626e3bf6d23dp-56, 0x1.3e3ec840d4643p-55, -0x1.8c9b2674fc9d7p-55,
+    0x1.491b879215ccap-55, 0x1.3808a12f6a10fp-56, -0x1.b04e04067fb2cp-55, -0x1.fcc1ea2390f14p-57,
+    -0x1.21480b81829c5p-55, -0x1.573af643175f1p-58, 0x1.9075992bd9eafp-55, 0x1.e412c54d97028p-55,
+    -0x1.36e9788361fcap-55, 0x1.a85c510cc0a58p-55, 0x1.a12d631ba17cap-61, -0x1.dd8f42fa4c24ep-58
 };
 GS_TABLE(gs_flight_factor_c1) = {
-    -0x1.5555555555555p-2, -0x1.ba28e9428593fp-3, -0x1.5cf9cd74e1d63p-3, -0x1.1b4cf7e2d9386p-3,
-    -0x1.ae88761907029p-4, -0x1.39d4f6b012a67p-4, -0x1.dc04099b80995p-5, -0x1.736334b48a3d3p-5,
-    -0x1.0a1d774ea128dp-5, -0x1.682ca35d068dcp-6, -0x1.ff265aaddffd4p-7, -0x1.7908b7c98062fp-7,
-    -0x1.fb60b74d7238ep-8, -0x1.4712829cb9c0fp-8, -0x1.c6f318b860535p-9, -0x1.4e58840c071dcp-9
+    -0x1.5555555555555p-2, -0x1.397b760a6deecp-3, -0x1.6d68f732f5d01p-4, -0x1.a32e8f0550356p-5,
+    -0x1.b2ea654ecc535p-6, -0x1.b50db538b40e7p-7, -0x1.92ded59dc8116p-8, -0x1.83ba5c56b55ffp-9,
+    -0x1.6b147dfa8f32cp-10, -0x1.67980e08c827dp-11, -0x1.58b31509ee264p-12, -0x1.5aa2fe645e71fp-13,
+    -0x1.50073827b4da6p-14, -0x1.546b4b9161626p-15, -0x1.4bd091a7adf00p-16, -0x1.515f752155296p-17
 };
 GS_TABLE(gs_flight_factor_c1_lo) = {
-    -0x1.4fa4429bc00e8p-56, 0x1.18a1b3363c5abp-59, -0x1.5c39d7b05a172p-57, 0x1.ba01356285621p-58,
-    -0x1.2a3ae55854074p-60, -0x1.9f4ea9d12f4b1p-63, -0x1.6f231de4bbd43p-59, 0x1.cca5c76ad42bep-59,
-    -0x1.a9dbc9821d5f0p-59, 0x1.ea1f43895a7c6p-62, -0x1.426c8a8545032p-63, -0x1.435f363d6d7dfp-61,
-    0x1.2ee55340374c5p-63, 0x1.74ba736dcb646p-64, -0x1.fc97fd78dc4ddp-64, -0x1.b9cf7dffed51bp-63
+    -0x1.40d23152081f8p-56, -0x1.f565d678f50f6p-58, -0x1.d82c67f3a075ap-58, 0x1.9b5a46336afd9p-62,
+    0x1.282ab7194fdffp-60, 0x1.a6b93143daeb0p-61, -0x1.965621d255b5cp-63, 0x1.be4548ee6170ep-65,
+    -0x1.1b4cb35c9f050p-64, 0x1.1601a02c39f97p-71, 0x1.f9d3bdeab2685p-66, 0x1.cc00c4e9574fbp-67,
+    -0x1.7d30311b8e094p-69, -0x1.b250d5ea6d80dp-71, 0x1.31574e8ba77d3p-70, -0x1.e48dec2795b05p-71
 };
 GS_TABLE(gs_flight_factor_c2) = {
-    0x1.c71c71c71c70fp-3, 0x1.c13907082fa96p-4, 0x1.34b3490b850d1p-4, 0x1.be725e24cd889p-5,
-    0x1.261bf080a1fdep-5, 0x1.710322b8ab587p-6, 0x1.f0e424a4624c4p-7, 0x1.5f68063f64ad0p-7,
-    0x1.bd96028a4010fp-8, 0x1.06e09318cab36p-8, 0x1.49c7cce48cf72p-9, 0x1.b0d95983dd04dp-10,
-    0x1.ed291a149727ep-11, 0x1.03afa932de8b2p-11, 0x1.2ec1aacc49c2dp-12, 0x1.7df5e47ce0de9p-13
+    0x1.c71c71c71c6f7p-3, 0x1.05142dc846454p-4, 0x1.ccf6c25002741p-6, 0x1.9fb6069c177bep-7,
+    0x1.531b70e2a45e1p-8, 0x1.09cf397454b69p-9, 0x1.60ced3135fdfbp-11, 0x1.dccd1c50a4a0bp-13,
+    0x1.31bfe3e697f46p-14, 0x1.aa2f78bf1c27dp-16, 0x1.1ad4948b6de78p-17, 0x1.935beb82c1ae7p-19,
+    0x1.1039b25a7f0e9p-20, 0x1.888e2da0ba19dp-22, 0x1.0b1f0c9a4ed49p-23, 0x1.834c4ac4afd3bp-25
 };
 GS_TABLE(gs_flight_factor_c3) = {
-    -0x1.4dbf86a314154p-3, -0x1.e6eb51011f77fp-5, -0x1.1db84b8ea1ae1p-5, -0x1.692e235b3b0a8p-6,
-    -0x1.918fe0c30c708p-7, -0x1.a39e02b01e2afp-8, -0x1.e7f40d9d64edap-9, -0x1.323df442b05b0p-9,
-    -0x1.5135c190eb58fp-10, -0x1.59cb7d019cb00p-11, -0x1.84bf2e75f7f8bp-12, -0x1.cf734310559fdp-13,
-    -0x1.cc8325706d94ep-14, -0x1.9624c57342e16p-15, -0x1.910a8f4ac8363p-16, -0x1.b3cb092f55f65p-17
+    -0x1.4dbf86a3133d3p-3, -0x1.c2b3ddaf080c8p-6, -0x1.1dad21e05ae11p-7, -0x1.7f6da82628a0bp-9,
+    -0x1.dbf7eede10db3p-11, -0x1.2a5656cef2679p-12, -0x1.2d3812314e9e5p-14, -0x1.246ead5f291bep-16,
+    -0x1.017687cd88670p-18, -0x1.f91bcf99a7560p-21, -0x1.d021c5d11a489p-23, -0x1.d55cff6e431ecp-25,
+    -0x1.b912f39c5934cp-27, -0x1.c4ad2db26c833p-29, -0x1.ae1502949f1f8p-31, -0x1.bc9c75f9e68bbp-33
 };
 GS_TABLE(gs_flight_factor_c4) = {
-    0x1.06f3fd786b9f7p-3, 0x1.19c84e19b289ep-5, 0x1.1941fb15b7939p-6, 0x1.356c3d64abd50p-7,
-    0x1.200bf3412c3f3p-8, 0x1.ee9a376878430p-10, 0x1.e80e1e9ae0940p-11, 0x1.0a4d6d2d705dap-11,
-    0x1.ed38387212c6ep-13, 0x1.a91001b3a6db3p-14, 0x1.a6154787c4d84p-15, 0x1.ca5a3826423a0p-16,
-    0x1.959014eeae808p-17, 0x1.3484fac0c7e45p-18, 0x1.069e4862d874bp-19, 0x1.ef5c5bdcecde2p-21
+    0x1.06f3fd783f697p-3, 0x1.9ce137a8a9ac6p-7, 0x1.71b83cbea9da7p-9, 0x1.649f5ea7e65f4p-11,
+    0x1.3cc624618fcfep-13, 0x1.3450f75bee282p-15, 0x1.ecdc5e05c5148p-18, 0x1.6456c3c6d29f6p-20,
+    0x1.b18b5468a7383p-23, 0x1.2b52d2a0ffa9fp-25, 0x1.7cd3817d96874p-28, 0x1.111586a68d885p-30,
+    0x1.655367618b473p-33, 0x1.0500adf38f5acp-35, 0x1.5a3ac68158bc9p-38, 0x1.fe67d8f0f66b4p-41
 };
 GS_TABLE(gs_flight_factor_c5) = {
-    -0x1.b1706c399cfa3p-4, -0x1.5454c30f3329ep-6, -0x1.20a48de34f12ep-7, -0x1.143962cdf43abp-8,
-    -0x1.ae93cfc6f7fe5p-10, -0x1.2fd7748a92a7dp-11, -0x1.fc8d39f11ecc7p-13, -0x1.e0cf79fd79813p-14,
-    -0x1.7141bf8aa10d2p-15, -0x1.029eb5fd41ff4p-16, -0x1.b5ef7cb5d4ef1p-18, -0x1.a82086cf74728p-19,
-    -0x1.4db76e547e3b7p-20, -0x1.c08380efa99ecp-22, -0x1.50a939ed57825p-23, -0x1.17270827b9fa0p-24
+    -0x1.b1706c33a9e7fp-4, -0x1.8a3443eefe258p-8, -0x1.f2a93f59edad0p-11, -0x1.591d0e70d88a3p-13,
+    -0x1.a9183d4b6ba5dp-16, -0x1.2c9ad1d0384c4p-18, -0x1.7cc55e976acc5p-21, -0x1.ac43d137178eap-24,
+    -0x1.6cdb603d8b283p-27, -0x1.62c0cd6c6fe4ap-30, -0x1.387907c8ec033p-33, -0x1.3dc5443f7acd2p-36,
+    -0x1.217aa8014039bp-39, -0x1.2cf9dd597043bp-42, -0x1.16b9c80df6eecp-45, -0x1.24f7e065932eap-48
 };
 GS_TABLE(gs_flight_factor_c6) = {
-    0x1.7053af2983994p-4, 0x1.a703bb1beef76p-7, 0x1.308c9d0a09734p-8, 0x1.faa5d39b24cc9p-10,
-    0x1.4a606d52b110ep-11, 0x1.7f53f0c393497p-13, 0x1.109cf34483eb8p-14, 0x1.c042cac928d97p-16,
-    0x1.1f2f2d51a4284p-17, 0x1.459d18e3fa7e3p-19, 0x1.c9bd6cacba8d2p-21, 0x1.7d493c0a88ab2p-22,
-    0x1.024e050112004p-23, 0x1.345413f5716d4p-25, 0x1.a15b274a3c1f9p-27, 0x1.35a4d72b2a84ap-28
+    0x1.7053af9f427b8p-4, 0x1.82cb557fd6fd0p-9, 0x1.5933d692bef7dp-12, 0x1.5835c5164dd9ap-15,
+    0x1.287f4e51bb288p-18, 0x1.21e078c420313p-21, 0x1.142fec4e9dbd5p-24, 0x1.f6a7f6a9c586fp-28,
+    0x1.32ab0a5c3600ap-31, 0x1.a471d909644ffp-35, 0x1.00634e8aec07ap-38, 0x1.71c4f6fa88635p-42,
+    0x1.d5078b4a38ab0p-46, 0x1.5b124b5b6e3bep-49, 0x1.c0c4135b0f055p-53, 0x1.5052835327a8cp-56
 };
 GS_TABLE(gs_flight_factor_c7) = {
-    -0x1.4009811490043p-4, -0x1.0c77d19092c45p-7, -0x1.47e9f3e40f869p-9, -0x1.d9da7d274846cp-11,
-    -0x1.0247b67d84daep-12, -0x1.ec2b649ba6896p-15, -0x1.2937a9ba9be83p-16, -0x1.a92f3bb408c5bp-18,
-    -0x1.c8e8aba7758b6p-20, -0x1.a98ea48464ca2p-22, -0x1.f365504596b04p-24, -0x1.5e300bfc09711p-25,
-    -0x1.8305a255341e9p-27, -0x1.8f91b89c96d08p-29, -0x1.ee92ba57b7f6bp-31, -0x1.4eccac01d35a3p-32
+    -0x1.40099e5676eb7p-4, -0x1.832b5752f5f16p-10, -0x1.e6ac526c5c3f0p-14, -0x1.5d1eb2cf9fcfap-17,
+    -0x1.a9ff05f1710c2p-21, -0x1.21a3cc4bfaa74p-24, -0x1.7ba27418c4a63p-28, -0x1.1cdde59f73e5ap-31,
+    -0x1.010425c8c1bd8p-35, -0x1.f24a328ad33c2p-40, -0x1.a4bd38948bd0dp-44, -0x1.ae46f0d90e66fp-48,
+    -0x1.7bf9264f925d3p-52, -0x1.9039ff4239ed7p-56, -0x1.69454b277e681p-60, -0x1.82178c6d3c73ap-64
 };
 GS_TABLE(gs_flight_factor_c8) = {
-    0x1.1acd2a0fc871bp-4, 0x1.5a473018a9514p-8, 0x1.669b5343b4f47p-10, 0x1.c1f0a657732fep-12,
-    0x1.99c2054a2b3edp-14, 0x1.4057431bf0ec8p-16, 0x1.482f74c69414dp-18, 0x1.97d74815d8725p-20,
-    0x1.6eed32d0fb5fep-22, 0x1.1aa3cc828c14cp-24, 0x1.1ac6076d76f06p-26, 0x1.52772a8e85e04p-28,
-    0x1.265363dfdb037p-30, 0x1.ed742a0482b93p-33, 0x1.15e146030f60ap-34, 0x1.5d37586e62b36p-36
+    0x1.1acfa14ba65eap-4, 0x1.89890a3456cfbp-11, 0x1.5bf66aa585e2ep-15, 0x1.665fcba9c5bbfp-19,
+    0x1.355f9c5fb822bp-23, 0x1.2f5ded3bcdcc2p-27, 0x1.fda3ef1793a77p-32, 0x1.3498e3ba459b4p-35,
+    0x1.ac53530270fe3p-40, 0x1.274117591c017p-44, 0x1.5938d1d65a36cp-49, 0x1.f4afa42982d51p-54,
+    0x1.33d3955f34738p-58, 0x1.cd85c367b8be2p-63, 0x1.22d5962fbf1e3p-67, 0x1.bb3a07954c759p-72
 };
 GS_TABLE(gs_flight_factor_c9) = {
-    -0x1.fa1af0e672a47p-5, -0x1.c453790368552p-9, -0x1.8d063b23ec285p-11, -0x1.b0628634ecf49p-13,
-    -0x1.48d442ade83b0p-15, -0x1.a5b17e14bc2b5p-18, -0x1.6e50ffb2cb441p-20, -0x1.8b2f647b99539p-22,
-    -0x1.28dab73a36960p-24, -0x1.78569e19bed7dp-27, -0x1.4399f95dae1bep-29, -0x1.53de4d0c33a01p-31,
-    -0x1.d9cca1780546dp-34, -0x1.2bc8ae650de2dp-36, -0x1.27f8c57bb9c1cp-38, -0x1.5c1d88bcb494cp-40
+    -0x1.fa588fdad9e10p-5, -0x1.94e3c56059636p-12, -0x1.f743dc54b45d3p-17, -0x1.73c4f5391679bp-21,
+    -0x1.c360d3cc4d9d0p-26, -0x1.45149d0a2a93bp-30, -0x1.5edfff508fa5cp-35, -0x1.3d5419957b863p-39,
+    -0x1.614a45936e518p-44, -0x1.5dd5988a6e77dp-49, -0x1.1b424edc675cep-54, -0x1.234eeb261d373p-59,
+    -0x1.f2c1c169a5ff3p-65, -0x1.0a1a62d4050a7p-69, -0x1.d442f507a46a9p-75, -0x1.fcd0f77c532e9p-80
 };
 GS_TABLE(gs_flight_factor_c10) = {
-    0x1.c743f7cabf36ep-5, 0x1.2a76e84da4acep-9, 0x1.bbf5a807c35c9p-12, 0x1.a3933b9b84378p-14,
-    0x1.0a60b303d6aa0p-16, 0x1.18160b801ee70p-19, 0x1.9c860bc794f3ep-22, 0x1.8253fcf96ffdbp-24,
-    0x1.e46a46b13010bp-27, 0x1.f6918c5f66f22p-30, 0x1.70591a054f060p-32, 0x1.571d8f70f8b3bp-34,
-    0x1.93f8df63cfd14p-37, 0x1.79157bb91e7fep-40, 0x1.2ecb660ded773p-42, 0x1.49a3485755e12p-44
+    0x1.c93688446b125p-5, 0x1.a4b10b30a145cp-13, 0x1.6f4ff16980e2cp-18, 0x1.8517c442dcbbap-23,
+    0x1.4b80842989f12p-28, 0x1.5b193a38c6d0fp-33, 0x1.023f2c43e4563p-38, 0x1.35d8aebe32f0ap-43,
+    0x1.1ebc265774604p-48, 0x1.9e533e18ed0fep-54, 0x1.d0d38942eecc0p-60, 0x1.52f9fda6aae51p-65,
+    0x1.940c9bc2596a5p-71, 0x1.32db76a1177b1p-76, 0x1.78f589eaab892p-82, 0x1.240e41a97ba59p-87
 };
 GS_TABLE(gs_flight_factor_c11) = {
-    -0x1.9206d9c6a80d6p-5, -0x1.8d1b521d3aec7p-10, -0x1.f47a554ac4db1p-13, -0x1.9a6744d4daf4fp-15,
-    -0x1.b2a9cf7f98630p-18, -0x1.76c1e3b7fa969p-21, -0x1.d3e0fbf7f9841p-24, -0x1.7c5a6e24b7bc1p-26,
-    -0x1.8e023b95257aap-29, -0x1.51fcc902c6393p-32, -0x1.a213c8be955f9p-35, -0x1.5590fd0f4edc7p-37,
-    -0x1.5f6ae0b3bdbf5p-40, -0x1.ffed2eaf7ffbep-44, -0x1.3416d0a269681p-46, -0x1.28bd93e60d62cp-48
+    -0x1.9c9d61252e294p-5, -0x1.b8afb31a96cecp-14, -0x1.0e26010a5c6c7p-19, -0x1.9a29b8fbeaf78p-25,
+    -0x1.eaedcdfcecc29p-31, -0x1.6ee43b1cece2dp-36, -0x1.95566c884f957p-42, -0x1.2353b58afe302p-47,
+    -0x1.c6b85258e4474p-53, -0x1.ea3f521131837p-59, -0x1.7d65454ea5279p-65, -0x1.8a72069358eb5p-71,
+    -0x1.4754befea9a72p-77, -0x1.61da7af5ba364p-83, -0x1.2f76c5f87d361p-89, -0x1.4f4652444910bp-95
 };
 GS_TABLE(gs_flight_factor_c12) = {
-    0x1.44d78501691e0p-5, 0x1.0a22690025880p-10, 0x1.1c19bc5d23786p-13, 0x1.9432ddf6ab504p-16,
-    0x1.6536118754c99p-19, 0x1.f8c5c97095608p-23, 0x1.0b013117efc90p-25, 0x1.78b9745c3c189p-28,
-    0x1.492878278d9bfp-31, 0x1.ca6d0c176b23bp-35, 0x1.ddc3b51e12c66p-38, 0x1.506851a6f21f1p-40,
-    0x1.2cdfe7d9d7ceep-43, 0x1.7568da3168f17p-47, 0x1.49d222ee2bc94p-50, 0x1.01abf056843bfp-52
+    0x1.6ba9fc588e294p-5, 0x1.d0d54d2da1bc2p-15, 0x1.9021236824cb8p-21, 0x1.b302f98496ca6p-27,
+    0x1.6e156385880ffp-33, 0x1.83ab1c5beb17dp-39, 0x1.4550f5b5bf89dp-45, 0x1.1195d785ffe38p-51,
+    0x1.5d90aa7f9cc76p-57, 0x1.2187bb511d6b6p-63, 0x1.392dfc41c53b8p-70, 0x1.cb0826f8fdbaep-77,
+    0x1.095e2fcbd266fp-83, 0x1.9814de75eb37bp-90, 0x1.e8edec825b839p-97, 0x1.80ebba273b870p-103
 };
 GS_TABLE(gs_flight_factor_c13) = {
-    -0x1.999b3ad6028d2p-6, -0x1.70dc5f8047c88p-11, -0x1.4adffdc4eb3b2p-14, -0x1.9653ed189cf7dp-17,
-    -0x1.33b71043832f3p-20, -0x1.5f60498c12093p-24, -0x1.3876f3740ce63p-27, -0x1.7ca40c56271bdp-30,
-    -0x1.1d2ff2abf32dfp-33, -0x1.4168fccfb2187p-37, -0x1.19785a9c32993p-40, -0x1.51b99f3eb5d9cp-43,
-    -0x1.04075d983c266p-46, -0x1.1fb54be61ecdep-50, -0x1.8edf285236970p-54, -0x1.c6c7b8c0b6dd0p-57
+    -0x1.2a92c510e7f33p-5, -0x1.ed27d4e264a16p-16, -0x1.29d714eef6b45p-22, -0x1.cfbf1c6db11f7p-29,
+    -0x1.121d0c24e2e10p-35, -0x1.9de18d3bad286p-42, -0x1.ff31ad768b5b3p-49, -0x1.102d1355e669cp-55,
+    -0x1.025a6bf9cfda6p-61, -0x1.54d047301ffbbp-68, -0x1.00f71bdfe7125p-75, -0x1.0b12b4ed3a221p-82,
+    -0x1.adf694bba9286p-90, -0x1.d6949b0dbe856p-97, -0x1.899a813707a8bp-104, -0x1.b9e1d6d93c4cep-111
 };
 GS_TABLE(gs_flight_factor_c14) = {
-    0x1.1bc0e853eb4acp-7, 0x1.f421129eef5f3p-12, 0x1.7bdfd02d6149cp-15, 0x1.9494665b38882p-18,
-    0x1.ff480821875d0p-22, 0x1.de377f2ac95a4p-26, 0x1.6837f21d4cb85p-29, 0x1.7cae905abc82ep-32,
-    0x1.dc14ef3b75398p-36, 0x1.b7ce2011e1450p-40, 0x1.475d6075bd114p-43, 0x1.52fa63c92b0d9p-46,
-    0x1.a7e122e40eaf8p-50, 0x1.a343a3d13b10cp-54, 0x1.00d840f51ab37p-57, 0x1.a766b75b47a37p-61
+    0x1.a75f8c863834ap-6, 0x1.0622c87582606p-16, 0x1.b7e747e41a3f2p-24, 0x1.ef1b318e820cdp-31,
+    0x1.96c12d8e0c67ap-38, 0x1.bdc30bec605dep-45, 0x1.7d28c88c5d3bdp-52, 0x1.2bb359d6b6502p-59,
+    0x1.6a4620e27cb1ap-66, 0x1.8d7d24091e7c8p-73, 0x1.9e0f92e9a6d5fp-81, 0x1.357bed591344fp-88,
+    0x1.565d2c041f089p-96, 0x1.0e3d63ee62c82p-103, 0x1.3796a9b20a196p-111, 0x1.f947cf5a20134p-119
+};
+GS_TABLE(gs_flight_factor_c15) = {
+    -0x1.d2c9528926d12p-7, -0x1.18bdb7f6b5291p-17, -0x1.4a57b3be30083p-25, -0x1.0a24ec4056feep-32,
+    -0x1.32ca0590a39bfp-40, -0x1.e44c34cba4e43p-48, -0x1.159bc40ba138cp-55, -0x1.6da7ba44fb08ep-63,
+    -0x1.e51d378f654a6p-71, -0x1.cd6cb273d80c2p-78, -0x1.53bb69370529ep-86, -0x1.68207f38a4d23p-94,
+    -0x1.155baf0019248p-102, -0x1.37a0bd09ab917p-110, -0x1.f5ad58102a057p-119, -0x1.2206c760809e0p-126
+};
+GS_TABLE(gs_flight_factor_c16) = {
+    0x1.5766a1289c8e7p-8, 0x1.48dc46e9729ddp-18, 0x1.28ff069b9a721p-26, 0x1.3901bf00ffeb2p-34,
+    0x1.155675ef0ba70p-42, 0x1.1ec759d8c8705p-50, 0x1.df1e6f455f3b6p-59, 0x1.01a51a9ce0684p-66,
+    0x1.5a6cfed02b47bp-75, 0x1.216e961ba6be9p-82, 0x1.57b57a16bc6cbp-91, 0x1.cf26e44ed8e58p-100,
+    0x1.138f41420bfe7p-108, 0x1.8c6b61ee2f08bp-117, 0x1.ede3284ba673dp-126, 0x1.6ef285f5e3c9ep-134
+};
+GS_TABLE(gs_flight_factor_c17) = {
+    -0x1.ecec2fe349025p-11, -0x1.62fa005c4bddcp-19, -0x1.c1a977baaf68bp-28, -0x1.52e83f6a6ed02p-36,
+    -0x1.a574b51232d68p-45, -0x1.373f0a1ed1246p-53, -0x1.66b504277e658p-62, -0x1.3c2a772e8c729p-70,
+    -0x1.adea9f11e2e08p-80, -0x1.446bedf6eb957p-87, -0x1.19ddb0f0b90b2p-96, -0x1.0d785ee349199p-105,
+    -0x1.be79ee98612fap-115, -0x1.c921e1f011562p-124, -0x1.8d984714a6336p-133, -0x1.a53fbd5f27efdp-142
 };
 
 static inline gs_v gs_flight_factor_near(gs_v x, gs_v *lo)
 {
     const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_index i = gs_piece(u, 2046, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
-    const gs_v q14 = gs_pick(gs_flight_factor_c14, i);
+    const gs_v q17 = gs_pick(gs_flight_factor_c17, i);
+    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_flight_factor_c16, i));
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_flight_factor_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_flight_factor_c14, i));
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_factor_c13, i));
     const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_factor_c12, i));
     const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_factor_c11, i));
@@ -1183,9 +1204,12 @@ static inline gs_v gs_flight_factor_near(gs_v x, gs_v *lo)
 static inline gs_v gs_flight_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_index i = gs_piece(u, 2046, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
-    const gs_v q14 = gs_pick(gs_flight_factor_c14, i);
+    const gs_v q17 = gs_pick(gs_flight_factor_c17, i);
+    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_flight_factor_c16, i));
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_flight_factor_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_flight_factor_c14, i));
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_factor_c13, i));
     const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_factor_c12, i));
     const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_factor_c11, i));
@@ -1218,191 +1242,6 @@ static inline gs_v gs_flight_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* flight_factor, continued, on [15.0, 255.0): degree 14 on each of 16 pieces. */
-GS_TABLE(gs_flight_tail_centre) = {
-    0x1.1000000000000p+4, 0x1.5000000000000p+4, 0x1.9000000000000p+4, 0x1.d000000000000p+4,
-    0x1.1800000000000p+5, 0x1.5800000000000p+5, 0x1.9800000000000p+5, 0x1.d800000000000p+5,
-    0x1.1c00000000000p+6, 0x1.5c00000000000p+6, 0x1.9c00000000000p+6, 0x1.dc00000000000p+6,
-    0x1.1e00000000000p+7, 0x1.5e00000000000p+7, 0x1.9e00000000000p+7, 0x1.de00000000000p+7
-};
-GS_TABLE(gs_flight_tail_c0) = {
-    0x1.0f0f0ec9cc7b8p-1, 0x1.0c30c30aef73ap-1, 0x1.0a3d70a3d132ap-1, 0x1.08d3dcb08d229p-1,
-    0x1.075075075074fp-1, 0x1.05f417d05f418p-1, 0x1.0505050505050p-1, 0x1.0456c797dd49cp-1,
-    0x1.039b0ad120736p-1, 0x1.02f149902f14ap-1, 0x1.027c45979c952p-1, 0x1.0226b90226b90p-1,
-    0x1.01ca4b3055ee2p-1, 0x1.01767dce434aap-1, 0x1.013c995a47bacp-1, 0x1.0112358e75d30p-1
-};
-GS_TABLE(gs_flight_tail_c0_lo) = {
-    -0x1.16bd3a452afd7p-56, -0x1.f915898777359p-57, 0x1.6a48826291dfbp-56, -0x1.16d13e594c93ep-55,
-    0x1.87dc4f1eb7a1dp-55, -0x1.7dc1f3f7794d8p-56, 0x1.414139360c974p-55, 0x1.a08ad8f19ae69p-56,
-    0x1.5a240e6c2b436p-57, -0x1.bf43ad9bf43aep-55, 0x1.3e22cbce4a902p-59, 0x1.135c81135c811p-56,
-    -0x1.bbf8d6d33ea84p-55, -0x1.3bfa2608c6f2dp-55, -0x1.8bbfb0d9a96e1p-57, 0x1.9b5055b0bc84dp-56
-};
-GS_TABLE(gs_flight_tail_c1) = {
-    -0x1.c588c217c8436p-10, -0x1.293723377d583p-10, -0x1.a36e2e9a5c943p-11, -0x1.37b482480556ap-11,
-    -0x1.abfd7e03c270cp-12, -0x1.1b8d5c5929f38p-12, -0x1.9324b647d96b0p-13, -0x1.2d3a774906fc9p-13,
-    -0x1.a004e00ea02bep-14, -0x1.15123aeb10676p-14, -0x1.8b5a770f464acp-15, -0x1.282fdebc9fbc5p-15,
-    -0x1.9a388f8469b5dp-16, -0x1.11e9ea3fd8f22p-16, -0x1.878af2be1e99fp-17, -0x1.25b6b02883c33p-17
-};
-GS_TABLE(gs_flight_tail_c1_lo) = {
-    -0x1.ffbf88e4c4c28p-64, -0x1.5a2aa603ed2bep-65, -0x1.a2d993a365befp-66, -0x1.55b5e247c645fp-65,
-    0x1.061d9ecccfdfbp-68, 0x1.71ae18c506175p-68, 0x1.b5686b0d424f1p-68, 0x1.36b78f3567f46p-67,
-    -0x1.9f9393c7ab56dp-68, 0x1.bc5ae69620a56p-69, -0x1.9ad52771f3cbbp-71, -0x1.105dd732fbbc8p-71,
-    0x1.db4a0c5c57afap-70, -0x1.93c51237117f7p-70, 0x1.7b04aab686201p-71, 0x1.b44df7d03f637p-72
-};
-GS_TABLE(gs_flight_tail_c2) = {
-    0x1.aad737feeb1f3p-14, 0x1.c4e629883460cp-15, 0x1.0c6f794fd25efp-15, 0x1.57f351f0d6700p-16,
-    0x1.874e2a1208bdep-17, 0x1.a607fa909db07p-18, 0x1.f9e7cba5753afp-19, 0x1.46c19716cf2c0p-19,
-    0x1.7700c9f78cc64p-20, 0x1.97a51ec6b707ep-21, 0x1.eb501ca81bb3ep-22, 0x1.3e9672cf3131dp-22,
-    0x1.6f30d6649f11bp-23, 0x1.90b25822e2a9fp-24, 0x1.e43a0fc24fe4bp-25, 0x1.3a9afad059b87p-25
-};
-GS_TABLE(gs_flight_tail_c3) = {
-    -0x1.91a842d38e464p-18, -0x1.591029b1ba802p-19, -0x1.5798e64eed190p-20, -0x1.7b88138a90825p-21,
-    -0x1.65c3ceb112c1ep-22, -0x1.3a11d83bfe341p-23, -0x1.3d6e4d94fe427p-24, -0x1.627289dbff19ep-25,
-    -0x1.5207ec23a656dp-26, -0x1.2be074cd08191p-27, -0x1.314825b088832p-28, -0x1.56aebc07bc71bp-29,
-    -0x1.48ac9c199e4d0p-30, -0x1.2514bb586b424p-31, -0x1.2b6cde75ae4f1p-32, -0x1.50fbb19bb06fcp-33
-};
-GS_TABLE(gs_flight_tail_c4) = {
-    0x1.79bff31574fd3p-22, 0x1.06e50133dbf8cp-23, 0x1.b7cdbedd70ef1p-25, 0x1.a2cb1c6c27ad7p-26,
-    0x1.47196c82176efp-27, 0x1.d373dca0baf29p-29, 0x1.8e58393371443p-30, 0x1.807c3ec3401c1p-31,
-    0x1.30b43635c4d01p-32, 0x1.b932b1bae5a95p-34, 0x1.7b611d7081e11p-35, 0x1.7099878fd9c15p-36,
-    0x1.2632abf3207e3p-37, 0x1.acbc50f65f76ep-39, 0x1.724dc0426351bp-40, 0x1.68f3e3bb1d635p-41
-};
-GS_TABLE(gs_flight_tail_c5) = {
-    -0x1.62b20e74f29bbp-26, -0x1.90895c0cd7c81p-28, -0x1.1978ced93fc53p-29, -0x1.ce1dde49857cdp-31,
-    -0x1.2b0fee1ebefb9p-32, -0x1.5bdf272a4ddd9p-34, -0x1.f3e229a9feafcp-36, -0x1.a1119f3342958p-37,
-    -0x1.12a9a7da85615p-38, -0x1.448f392e5bdc3p-40, -0x1.d776337f69605p-42, -0x1.8c7a1da57db71p-43,
-    -0x1.07568803531bap-44, -0x1.3996e7d5ee83cp-46, -0x1.c9f5cc60f734dp-48, -0x1.82a08d19d5a06p-49
-};
-GS_TABLE(gs_flight_tail_c6) = {
-    0x1.4bc766339d0ddp-30, 0x1.310228cc46cc8p-32, 0x1.684584bcf3a54p-34, 0x1.fdebc01b458e7p-36,
-    0x1.116da631026fdp-37, 0x1.02e19a2b46c18p-39, 0x1.39a7010b4a6e3p-41, 0x1.c469e5193b35bp-43,
-    0x1.ef2aa598603c2p-45, 0x1.dd83456a757edp-47, 0x1.24f27480e08b6p-48, 0x1.aa7671a2f2c94p-50,
-    0x1.d76e276869d0dp-52, 0x1.cabc920b9a5a5p-54, 0x1.1b2eded7c9180p-55, 0x1.9e20b969dd52ep-57
-};
-GS_TABLE(gs_flight_tail_c7) = {
-    -0x1.33f66c51d35ccp-34, -0x1.d0144b80e6aaep-37, -0x1.cd17e79daf13bp-39, -0x1.19556691e5fecp-40,
-    -0x1.f3fbaefa3c8fep-43, -0x1.814fc76eb3addp-45, -0x1.899a5b98c3d60p-47, -0x1.eac0f87ceecc6p-49,
-    -0x1.be58ea671ba9cp-51, -0x1.5f46156cfb57ap-53, -0x1.6c0cfe15573f5p-55, -0x1.cab755a313efdp-57,
-    -0x1.a5fac3242fc07p-59, -0x1.4f8876546f113p-61, -0x1.5e377de5e8e01p-63, -0x1.bb95a9a914ed0p-65
-};
-GS_TABLE(gs_flight_tail_c8) = {
-    0x1.1a076229e3d2dp-38, 0x1.6049366391832p-41, 0x1.26ff3e22d5946p-43, 0x1.366ddc4a95300p-45,
-    0x1.c920951d601cep-48, 0x1.1ebe58dd5c5f1p-50, 0x1.edeee160525ccp-53, 0x1.0a2bea91dca27p-54,
-    0x1.92575c4e851adp-57, 0x1.026885766c63dp-59, 0x1.c4699f2beb2e7p-62, 0x1.ed68b22a08897p-64,
-    0x1.79b748a1492d2p-66, 0x1.ead640d92334fp-69, 0x1.b11e4a13acfc6p-71, 0x1.db22fc6c458b4p-73
-};
-GS_TABLE(gs_flight_tail_c9) = {
-    -0x1.f9dbf25d400eep-43, -0x1.0a440e51af4d2p-45, -0x1.79406d5837ff2p-48, -0x1.568408209e542p-50,
-    -0x1.a1f2d554b52e1p-53, -0x1.aac845b941cccp-56, -0x1.35eb4cde8ffdep-58, -0x1.20ba844fd93cap-60,
-    -0x1.6aad59b600ab6p-63, -0x1.7c301bc54a2f0p-66, -0x1.191c6abd1447fp-68, -0x1.095ce7e948270p-70,
-    -0x1.52192fcc4c285p-73, -0x1.6703595a5a825p-76, -0x1.0bd27c171eddbp-78, -0x1.fceee5f0fa0ddp-81
-};
-GS_TABLE(gs_flight_tail_c10) = {
-    0x1.b882efd4f6862p-47, 0x1.8f68688c759b8p-50, 0x1.e1d7de4f7f82fp-53, 0x1.79ddcc0abee49p-55,
-    0x1.7e1f65dd7e2aap-58, 0x1.3d9afdfa20809p-61, 0x1.84eb0b2119101p-64, 0x1.3932757daa7a9p-66,
-    0x1.46eb955f8d392p-69, 0x1.17adb0620d606p-72, 0x1.5d5782291bb06p-75, 0x1.1d6eb04ed2fccp-77,
-    0x1.2ea22e5d5b711p-80, 0x1.0697a937d8e01p-83, 0x1.4b38406bbe49dp-86, 0x1.1091156423605p-88
-};
-GS_TABLE(gs_flight_tail_c11) = {
-    -0x1.711fa89d4c090p-51, -0x1.27c5e4cfc2316p-54, -0x1.32e5bec78f2a5p-57, -0x1.a0ad28686607fp-60,
-    -0x1.5d033977f9dd3p-63, -0x1.d88264a4a4151p-67, -0x1.e7f2a45d51f76p-70, -0x1.53b2ba576f738p-72,
-    -0x1.26688cdb94af5p-75, -0x1.9b4f654cc410fp-79, -0x1.b20ae9a81218cp-82, -0x1.32fbdbc1fbf8cp-84,
-    -0x1.0ea36e85007afp-87, -0x1.7ffab9cebd77ep-91, -0x1.998a50936ce4dp-94, -0x1.23ebb8291cc9bp-96
-};
-GS_TABLE(gs_flight_tail_c12) = {
-    0x1.279ed2ef2a80cp-55, 0x1.ae43e9e38b26dp-59, 0x1.854ee7ceccaafp-62, 0x1.cb358d408a6f8p-65,
-    0x1.3f15c7f8f4071p-68, 0x1.5fa281cd8f5d4p-72, 0x1.3229d08784f3dp-75, 0x1.707c735a7f30ap-78,
-    0x1.0961d91c779a7p-81, 0x1.2e92ae90bf502p-85, 0x1.0db2469f1ca48p-88, 0x1.4a337a5c7cbe2p-91,
-    0x1.e47fe0b4d0863p-95, 0x1.18da7f20b964dp-98, 0x1.fa7c0f8d82f5ep-102, 0x1.38af5d5c3cd3cp-104
-};
-GS_TABLE(gs_flight_tail_c13) = {
-    -0x1.cfc73adda4f4bp-60, -0x1.3972f16ec5f04p-63, -0x1.f57439c21b8bep-67, -0x1.01360f0a92a68p-69,
-    -0x1.32b70e2ef6f8ap-73, -0x1.0e7532d3f9d37p-77, -0x1.8946f0913299bp-81, -0x1.96b9683354913p-84,
-    -0x1.f65a33443af72p-88, -0x1.cbbe136824ae3p-92, -0x1.56ea082c19da1p-95, -0x1.694c2b0a5f1d2p-98,
-    -0x1.c70a4d3e76876p-102, -0x1.a824e88c34547p-106, -0x1.405db9dd2af5ap-109, -0x1.54a6be8400e6bp-112
-};
-GS_TABLE(gs_flight_tail_c14) = {
-    0x1.4f8951034b405p-64, 0x1.ad60ab0720f67p-68, 0x1.37f9aaf3db6cap-71, 0x1.1a4e98e014a3fp-74,
-    0x1.185818f4830f7p-78, 0x1.928a772005882p-83, 0x1.ed86328a9dae4p-87, 0x1.b931414d1c7e8p-90,
-    0x1.c4d31c2f14afep-94, 0x1.52338cce15192p-98, 0x1.aa25523bc6a69p-102, 0x1.849f5fc650cb7p-105,
-    0x1.974f0a1086bd4p-109, 0x1.363b2dbfc8a71p-113, 0x1.8c339a6bcd3eap-117, 0x1.6ce1bc0000f71p-120
-};
-
-static inline gs_v gs_flight_tail_near(gs_v x, gs_v *lo)
-{
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4108, 50);
-    const gs_v d = gs_sub(x, gs_pick(gs_flight_tail_centre, i));
-    const gs_v q14 = gs_pick(gs_flight_tail_c14, i);
-    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_tail_c13, i));
-    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_tail_c12, i));
-    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_tail_c11, i));
-    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_flight_tail_c10, i));
-    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_tail_c9, i));
-    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_flight_tail_c8, i));
-    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_tail_c7, i));
-    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_tail_c6, i));
-    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_tail_c5, i));
-    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_tail_c4, i));
-    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_tail_c3, i));
-    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_tail_c2, i));
-    const gs_v c1 = gs_pick(gs_flight_tail_c1, i);
-    const gs_v h = gs_mul(q2, d);
-    const gs_v t = gs_add(c1, h);
-    const gs_v t_rest = gs_rest(c1, h, t);
-    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_flight_tail_c1_lo, i));
-    const gs_v p = gs_mul(d, t);
-    const gs_v p_rest = gs_product_rest(d, t, p);
-    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
-    const gs_v c0 = gs_pick(gs_flight_tail_c0, i);
-    const gs_v s = gs_add(c0, p);
-    const gs_v s_rest = gs_rest(c0, p, s);
-    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_flight_tail_c0_lo, i));
-    const gs_v e = gs_add(s_rest, s_lo);
-    const gs_v r = gs_add(s, e);
-    *lo = gs_rest(s, e, r);
-    return r;
-}
-
-/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
-static inline gs_v gs_flight_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4108, 50);
-    const gs_v d = gs_sub(x, gs_pick(gs_flight_tail_centre, i));
-    const gs_v q14 = gs_pick(gs_flight_tail_c14, i);
-    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_tail_c13, i));
-    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_tail_c12, i));
-    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_tail_c11, i));
-    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_flight_tail_c10, i));
-    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_tail_c9, i));
-    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_flight_tail_c8, i));
-    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_tail_c7, i));
-    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_tail_c6, i));
-    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_tail_c5, i));
-    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_tail_c4, i));
-    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_tail_c3, i));
-    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_tail_c2, i));
-    const gs_v c1 = gs_pick(gs_flight_tail_c1, i);
-    const gs_v h = gs_mul(q2, d);
-    const gs_v t = gs_add(c1, h);
-    const gs_v t_rest = gs_rest(c1, h, t);
-    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_flight_tail_c1_lo, i));
-    const gs_v p = gs_mul(d, t);
-    const gs_v p_rest = gs_product_rest(d, t, p);
-    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
-    const gs_v slope = gs_add(t, h);
-    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
-    const gs_v c0 = gs_pick(gs_flight_tail_c0, i);
-    const gs_v s = gs_add(c0, p);
-    const gs_v s_rest = gs_rest(c0, p, s);
-    const gs_v s_lo = gs_add(p_all, gs_pick(gs_flight_tail_c0_lo, i));
-    const gs_v e = gs_add(s_rest, s_lo);
-    const gs_v r = gs_add(s, e);
-    *lo = gs_rest(s, e, r);
-    return r;
-}
-
 /* x >= 255.0 */
 static inline gs_v gs_flight_factor_far(gs_v x)
 {
@@ -1414,10 +1253,6 @@ static inline gs_v gs_flight_factor_far(gs_v x)
 static GS_RARE gs_v gs_flight_factor_outside(gs_v x, gs_v r, gs_v *lo)
 {
     gs_v tail, rest;
-    const gs_mask here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    tail = gs_flight_tail_near(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), &rest);
-    r = gs_select(here, tail, r);
-    *lo = gs_select(here, rest, *lo);
     const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
     tail = gs_flight_factor_far(gs_select(beyond, x, gs_v_of(0x1.fe00000000000p+7)));
     rest = gs_v_of(0.0);
@@ -1428,7 +1263,7 @@ static GS_RARE gs_v gs_flight_factor_outside(gs_v x, gs_v r, gs_v *lo)
 /* T/(2 b) with T = (1 + b)(1 - exp(-T)): the nearest double but for a little, and the rest. */
 static inline gs_v gs_flight_factor_value(gs_v x, gs_v *lo)
 {
-    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.fe00000000000p+7));
     const gs_v r = gs_flight_factor_near(gs_select(here, x, gs_v_of(0x0.0p+0)), lo);
     return gs_all(here) ? r : gs_flight_factor_outside(x, r, lo);
 }

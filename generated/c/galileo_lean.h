@@ -359,66 +359,80 @@ static inline gs_v gs_descent_factor_lean(gs_v x)
 }
 
 GS_TABLE(gs_flight_factor_lean0) = {
-    0x1.0000000000000p+0, 0x1.cc984a98863f2p-1, 0x1.b40dc266739a2p-1, 0x1.a067e9091713dp-1,
-    0x1.8941ce2c64e25p-1, 0x1.72474a4528b73p-1, 0x1.6130815ba1e0dp-1, 0x1.540b06a25919bp-1,
-    0x1.4549df6beba4cp-1, 0x1.379497341c568p-1, 0x1.2e1609a23c530p-1, 0x1.273876acb52a2p-1,
-    0x1.1ff6e420637afp-1, 0x1.1998655083cc7p-1, 0x1.15552c3ffae10p-1, 0x1.12491f1297d1dp-1
+    0x1.0000000000000p+0, 0x1.a9b7e4077da87p-1, 0x1.7cdc9c677ef25p-1, 0x1.5a357cff17628p-1,
+    0x1.3dc46e7b8fbbbp-1, 0x1.2a647efc19859p-1, 0x1.1c6e78691c81ep-1, 0x1.13b12c0d89638p-1,
+    0x1.0d794354ff4d8p-1, 0x1.097b425ecfcdep-1, 0x1.0690690690690p-1, 0x1.04a7904a7904ap-1,
+    0x1.033d91d2a2068p-1, 0x1.024e6a171024ep-1, 0x1.019c2d14ee4a1p-1, 0x1.0125e22708093p-1
 };
 GS_TABLE(gs_flight_factor_lean1) = {
-    -0x1.555555551e4dcp-2, -0x1.ba28e94244fa3p-3, -0x1.5cf9cd74d3b92p-3, -0x1.1b4cf7e2d5635p-3,
-    -0x1.ae8876178c56cp-4, -0x1.39d4f6afd669cp-4, -0x1.dc04099b668d1p-5, -0x1.736334b4833bbp-5,
-    -0x1.0a1d774d4b320p-5, -0x1.682ca35c9b04ep-6, -0x1.ff265aadb1f64p-7, -0x1.7908b7c97454fp-7,
-    -0x1.fb60b7492be4dp-8, -0x1.4712829c0e8fap-8, -0x1.c6f318b80c50fp-9, -0x1.4e58840bee749p-9
+    -0x1.555555551aec0p-2, -0x1.397b760a77dedp-3, -0x1.6d68f7348eb9bp-4, -0x1.a32e8f0562b77p-5,
+    -0x1.b2ea6551b4577p-6, -0x1.b50db538d52a2p-7, -0x1.92ded5a2a3254p-8, -0x1.83ba5c56e9889p-9,
+    -0x1.6b147e05556b2p-10, -0x1.67980e0921a4ap-11, -0x1.58b31513259a0p-12, -0x1.5aa2fe64a655ep-13,
+    -0x1.5007382f97c48p-14, -0x1.546b4b91a1ceep-15, -0x1.4bd091aefae9ep-16, -0x1.515f7521922bep-17
 };
 GS_TABLE(gs_flight_factor_lean2) = {
-    0x1.c71c70ea9b395p-3, 0x1.c1390707da636p-4, 0x1.34b3490b75442p-4, 0x1.be725e24c6186p-5,
-    0x1.261bf07f6f226p-5, 0x1.710322b85b4f4p-6, 0x1.f0e424a444f5bp-7, 0x1.5f68063f5dd39p-7,
-    0x1.bd96028811dc3p-8, 0x1.06e0931882e19p-8, 0x1.49c7cce472c4bp-9, 0x1.b0d95983d0da0p-10,
-    0x1.ed291a10f206ap-11, 0x1.03afa932729e4p-11, 0x1.2ec1aacc1ec4ep-12, 0x1.7df5e47cc9882p-13
+    0x1.c71c711029314p-3, 0x1.05142dc850c20p-4, 0x1.ccf6c25260736p-6, 0x1.9fb6069c2b1f2p-7,
+    0x1.531b70e4cf616p-8, 0x1.09cf397466390p-9, 0x1.60ced3173ec3bp-11, 0x1.dccd1c50d5f7bp-13,
+    0x1.31bfe3eecebf9p-14, 0x1.aa2f78bf85c95p-16, 0x1.1ad49492fdde9p-17, 0x1.935beb831555fp-19,
+    0x1.1039b260e2a58p-20, 0x1.888e2da104644p-22, 0x1.0b1f0ca02f6d3p-23, 0x1.834c4ac4f5dd7p-25
 };
 GS_TABLE(gs_flight_factor_lean3) = {
-    -0x1.4dbf3da2ff131p-3, -0x1.e6eb545e0587ap-5, -0x1.1db84c4abebd1p-5, -0x1.692e23c16488fp-6,
-    -0x1.918fea9d90856p-7, -0x1.a39e05d2dc964p-8, -0x1.e7f40ef8923c9p-9, -0x1.323df4a01278bp-9,
-    -0x1.5135ca76e30eep-10, -0x1.59cb7fce21ff2p-11, -0x1.84bf2fa8b36afp-12, -0x1.cf7343b1040c5p-13,
-    -0x1.cc8333ad051bcp-14, -0x1.9624c9e7f8e2dp-15, -0x1.910a917aac737p-16, -0x1.b3cb0a7811649p-17
+    -0x1.4dbf56ed81702p-3, -0x1.c2b3dd4bbdca7p-6, -0x1.1dad1de3d650ap-7, -0x1.7f6da7c9b344fp-9,
+    -0x1.dbf7e79d4645fp-11, -0x1.2a56567c3fc4ep-12, -0x1.2d380c227aedep-14, -0x1.246eacdcdc67ap-16,
+    -0x1.01767a5bc71fbp-18, -0x1.f91bcddab39dcp-21, -0x1.d021aed2e1b8ep-23, -0x1.d55cfe0730babp-25,
+    -0x1.b912dfef6a064p-27, -0x1.c4ad2c70a3977p-29, -0x1.ae14f05da4eb3p-31, -0x1.bc9c74c92a8d9p-33
 };
 GS_TABLE(gs_flight_factor_lean4) = {
-    0x1.06eab4a0b4317p-3, 0x1.19c85051e3a36p-5, 0x1.1941fbe81a7cap-6, 0x1.356c3dc7d192fp-7,
-    0x1.200bfb3d479cbp-8, 0x1.ee9a3b930ce6fp-10, 0x1.e80e2021e7957p-11, 0x1.0a4d6d88bd358p-11,
-    0x1.ed3846f87b2bfp-13, 0x1.a9100570bc1bcp-14, 0x1.a61548e4ee41cp-15, 0x1.ca5a38c8710d1p-16,
-    0x1.9590211267a59p-17, 0x1.3484fd8fdd2d8p-18, 0x1.069e49815db2fp-19, 0x1.ef5c5d1405d6ep-21
+    0x1.06ef1d626bfc9p-3, 0x1.9ce1373fe215ap-7, 0x1.71b836d64eb2fp-9, 0x1.649f5e45cca25p-11,
+    0x1.3cc61ef8784e9p-13, 0x1.3450f70476153p-15, 0x1.ecdc545d14876p-18, 0x1.6456c34b94becp-20,
+    0x1.b18b3fe817881p-23, 0x1.2b52d19934796p-25, 0x1.7cd36e9fd7248p-28, 0x1.111585d5a3556p-30,
+    0x1.65535770f175ap-33, 0x1.0500ad3a06af1p-35, 0x1.5a3ab7d7764b3p-38, 0x1.fe67d79321ed2p-41
 };
 GS_TABLE(gs_flight_factor_lean5) = {
-    -0x1.b043fcbe756b2p-4, -0x1.544eb7991955ep-6, -0x1.20a1e95b0defcp-7, -0x1.1437f34c2d325p-8,
-    -0x1.ae821cc3edab8p-10, -0x1.2fd1d1a33c509p-11, -0x1.fc88595e9a331p-13, -0x1.e0ccda24af2f0p-14,
-    -0x1.7131c3eaa24a1p-15, -0x1.0299ae1680753p-16, -0x1.b5eb2d9ac743bp-18, -0x1.a81e44d160c2cp-19,
-    -0x1.4daaa5e64b77cp-20, -0x1.c07b7e71f6cbep-22, -0x1.50a54af473112p-23, -0x1.1724b8d625117p-24
+    -0x1.b0ed34a52f240p-4, -0x1.8a34cea081e73p-8, -0x1.f2aecdbe30134p-11, -0x1.591d8f96a518bp-13,
+    -0x1.a91d4b36f1172p-16, -0x1.2c9b4553d74c6p-18, -0x1.7cc996bf45551p-21, -0x1.ac44874950778p-24,
+    -0x1.6ce4bea795de8p-27, -0x1.62c2056af391cp-30, -0x1.388108d36f794p-33, -0x1.3dc63eea31577p-36,
+    -0x1.218181a449134p-39, -0x1.2cfabdff4d576p-42, -0x1.16c01f9a9d385p-45, -0x1.24f8b52573ca7p-48
 };
 GS_TABLE(gs_flight_factor_lean6) = {
-    0x1.65d04b4b41979p-4, 0x1.a6fbc08266ca8p-7, 0x1.3089a86a922d6p-8, 0x1.faa30a4a13318p-10,
-    0x1.4a5215c0ecbdep-11, 0x1.7f4c73a91c530p-13, 0x1.109a3423e780cp-14, 0x1.c04039eeb0c10p-16,
-    0x1.1f2221f65a41bp-17, 0x1.459660a1b194ep-19, 0x1.c9b884fbf94f3p-21, 0x1.7d46f4a2da700p-22,
-    0x1.02431ea3dc2e7p-23, 0x1.344f07a4a8e9ap-25, 0x1.a15720b5a12b7p-27, 0x1.35a2a78a3257cp-28
+    0x1.6c4ad2b38bbdbp-4, 0x1.82cbe7db81392p-9, 0x1.5937f47d0b3dbp-12, 0x1.58364e1ce50eap-15,
+    0x1.288313807825bp-18, 0x1.21e0f2f05bfeap-21, 0x1.143349ace829ep-24, 0x1.f6a8a2d034086p-28,
+    0x1.32b22fca669afp-31, 0x1.a47349541c085p-35, 0x1.0069dfd5ab4e3p-38, 0x1.71c61aaa1d7c4p-42,
+    0x1.d512a4af7328fp-46, 0x1.5b134e69490adp-49, 0x1.c0ce496cdceecp-53, 0x1.5053778ede77fp-56
 };
 GS_TABLE(gs_flight_factor_lean7) = {
-    -0x1.09dedd5e73a18p-4, -0x1.107c1e6ef4d1ep-7, -0x1.4b6de60cc7234p-9, -0x1.ddaccab705a9ap-11,
-    -0x1.0826afa792c07p-12, -0x1.f3a8f5633bd9ap-15, -0x1.2c76157af7637p-16, -0x1.acad705efe5f3p-18,
-    -0x1.d382ee64db165p-20, -0x1.b03e27f890fd9p-22, -0x1.f9209defdcd03p-24, -0x1.6131469356c43p-25,
-    -0x1.8b7f561770930p-27, -0x1.94e46588636dbp-29, -0x1.f3cec6b544d2ep-31, -0x1.51dfdbbf4510fp-32
+    -0x1.2c25d383e9aa4p-4, -0x1.82dc7240234bcp-10, -0x1.e5198b10ead6ap-14, -0x1.5cd53cb4334dfp-17,
+    -0x1.a890aa43787c3p-21, -0x1.2162175bee040p-24, -0x1.7a70efd969f2ep-28, -0x1.1caa13814b028p-31,
+    -0x1.ff61387c485d8p-36, -0x1.f198ea2223af1p-40, -0x1.a27a22a1656f8p-44, -0x1.adb87c5ed7472p-48,
+    -0x1.7a0969acfb1edp-52, -0x1.8fba50f3b836dp-56, -0x1.677a4517b1ec8p-60, -0x1.819e9fd810189p-64
 };
 GS_TABLE(gs_flight_factor_lean8) = {
-    0x1.efffb2a781497p-6, 0x1.5f94715404860p-8, 0x1.6a89c6544b48bp-10, 0x1.c5a60c87073e8p-12,
-    0x1.a345a0981b3bbp-14, 0x1.4551156654195p-16, 0x1.4bd6b8aa3dcf1p-18, 0x1.9b4182d8cb056p-20,
-    0x1.7794474059abbp-22, 0x1.1f1ac7aea15dap-24, 0x1.1e0927455ac6ap-26, 0x1.557fa2174bb4fp-28,
-    0x1.2d8d706c55b1bp-30, 0x1.f428f39c2993cp-33, 0x1.188ef15d1984fp-34, 0x1.602070fc7b6bbp-36
+    0x1.b62cc39d823bep-5, 0x1.8935c9fac6141p-11, 0x1.5acc0060500c3p-15, 0x1.6611db367bbebp-19,
+    0x1.344e58b63870fp-23, 0x1.2f1870699af4bp-27, 0x1.fbbc60b638422p-32, 0x1.3467ed15ba3b3p-35,
+    0x1.aa4cf5a0f4068p-40, 0x1.26d872f0b9e19p-44, 0x1.575da694442c6p-49, 0x1.f409dfd96a4eap-54,
+    0x1.3241f4654018fp-58, 0x1.ccf286dd15010p-63, 0x1.21640a8a384a8p-67, 0x1.baaf35c6ac4ecp-72
+};
+GS_TABLE(gs_flight_factor_lean9) = {
+    -0x1.d68a707106748p-6, -0x1.a86b8468dd2cep-12, -0x1.14523d956cefdp-16, -0x1.85f3e6bbda458p-21,
+    -0x1.f0479be33c27bp-26, -0x1.55583e1f679bfp-30, -0x1.843bcfaddf696p-35, -0x1.4a2d1a1055e88p-39,
+    -0x1.8ae6c01468a50p-44, -0x1.73b9b4f0ac419p-49, -0x1.3e9a3dbcda7aep-54, -0x1.34e775874a900p-59,
+    -0x1.17a72a578dcc2p-64, -0x1.19e09f55daff5p-69, -0x1.062be31f77ed8p-74, -0x1.0d596c050adddp-79
+};
+GS_TABLE(gs_flight_factor_lean10) = {
+    0x1.03a649fd022eep-7, 0x1.b94c50e361abcp-13, 0x1.93e3f41c2832fp-18, 0x1.9862041f77a6ep-23,
+    0x1.6cfd85eb7db73p-28, 0x1.6c4b81e894dd2p-33, 0x1.2018725545a61p-38, 0x1.41f7b99a85ff8p-43,
+    0x1.3e8d0cb8ac05cp-48, 0x1.b82bcb51db119p-54, 0x1.056acf0a7ce71p-59, 0x1.6773bbf5d630cp-65,
+    0x1.c51bcff250af4p-71, 0x1.450c3fcf66a0ap-76, 0x1.a61cccad07ef2p-82, 0x1.35354aa435cd4p-87
 };
 
 static inline gs_v gs_flight_factor_lean(gs_v x)
 {
     const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_index i = gs_piece(u, 2046, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
-    const gs_v q8 = gs_pick(gs_flight_factor_lean8, i);
+    const gs_v q10 = gs_pick(gs_flight_factor_lean10, i);
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_factor_lean9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_flight_factor_lean8, i));
     const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_factor_lean7, i));
     const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_factor_lean6, i));
     const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_factor_lean5, i));
@@ -427,71 +441,6 @@ static inline gs_v gs_flight_factor_lean(gs_v x)
     const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_factor_lean2, i));
     const gs_v q1 = gs_fma(q2, d, gs_pick(gs_flight_factor_lean1, i));
     const gs_v r = gs_fma(q1, d, gs_pick(gs_flight_factor_lean0, i));
-    return r;
-}
-
-GS_TABLE(gs_flight_tail_lean0) = {
-    0x1.0f0f0ec9ba6b5p-1, 0x1.0c30c30aeca67p-1, 0x1.0a3d70a3d09d4p-1, 0x1.08d3dcb08cfb6p-1,
-    0x1.07507507491fdp-1, 0x1.05f417d05e1dcp-1, 0x1.0505050504c68p-1, 0x1.0456c797dd390p-1,
-    0x1.039b0ad11d39ep-1, 0x1.02f149902e913p-1, 0x1.027c45979c788p-1, 0x1.0226b90226b14p-1,
-    0x1.01ca4b30546acp-1, 0x1.01767dce430c3p-1, 0x1.013c995a47ad1p-1, 0x1.0112358e75cf4p-1
-};
-GS_TABLE(gs_flight_tail_lean1) = {
-    -0x1.c588c215c2b6ap-10, -0x1.29372337399c1p-10, -0x1.a36e2e9a44b2cp-11, -0x1.37b48247ffef8p-11,
-    -0x1.abfd7e0215612p-12, -0x1.1b8d5c58f3ab5p-12, -0x1.9324b647c5cecp-13, -0x1.2d3a7749026efp-13,
-    -0x1.a004e00d2c202p-14, -0x1.15123aeae0114p-14, -0x1.8b5a770f34824p-15, -0x1.282fdebc9b8d3p-15,
-    -0x1.9a388f830f006p-16, -0x1.11e9ea3fab4f7p-16, -0x1.878af2be0da92p-17, -0x1.25b6b0287fc02p-17
-};
-GS_TABLE(gs_flight_tail_lean2) = {
-    0x1.aad74a0d5addep-14, 0x1.c4e62f2234d5fp-15, 0x1.0c6f7a7a8e7a0p-15, 0x1.57f3528d83c10p-16,
-    0x1.874e38bacad43p-17, 0x1.a607ff1f5d0c8p-18, 0x1.f9e7cd996c6d7p-19, 0x1.46c1979d1b60dp-19,
-    0x1.7700d6dc25d6bp-20, 0x1.97a522e1c165cp-21, 0x1.eb501e71f043fp-22, 0x1.3e96734ba6157p-22,
-    0x1.6f30e27e1dcedp-23, 0x1.90b25c08e6a7bp-24, 0x1.e43a117891123p-25, 0x1.3a9afb48306cdp-25
-};
-GS_TABLE(gs_flight_tail_lean3) = {
-    -0x1.91a852fe7c3d8p-18, -0x1.59102ded31cc9p-19, -0x1.5798e7ccf0765p-20, -0x1.7b8814376f641p-21,
-    -0x1.65c3dc18295dap-22, -0x1.3a11dba045301p-23, -0x1.3d6e4eceb276ep-24, -0x1.62728a6dace28p-25,
-    -0x1.5207f7c2d663cp-26, -0x1.2be077d235fe5p-27, -0x1.314826cd02a68p-28, -0x1.56aebc8d9afb1p-29,
-    -0x1.48aca6ee33be8p-30, -0x1.2514be32656a8p-31, -0x1.2b6cdf84adcd7p-32, -0x1.50fbb21c0d4f0p-33
-};
-GS_TABLE(gs_flight_tail_lean4) = {
-    0x1.79a96ce52bb14p-22, 0x1.06de03608a712p-23, 0x1.b7c7eacc8c404p-25, 0x1.a2c80daa7ae09p-26,
-    0x1.470723e61b7a0p-27, 0x1.d3687c04abca2p-29, 0x1.8e535895982b2p-30, 0x1.80799fcb8c51cp-31,
-    0x1.30a4214d17477p-32, 0x1.b92871e0be0cdp-34, 0x1.7b5ca60760800p-35, 0x1.709719c0e590dp-36,
-    0x1.2623944287f62p-37, 0x1.acb295715a03ep-39, 0x1.724979ba36dc2p-40, 0x1.68f18cfd99686p-41
-};
-GS_TABLE(gs_flight_tail_lean5) = {
-    -0x1.629de2b715582p-26, -0x1.907ecb590dd8ap-28, -0x1.197514d706f25p-29, -0x1.ce1a7ea08fb09p-31,
-    -0x1.2aff36b5d1eeep-32, -0x1.5bd6afa43385cp-34, -0x1.f3dc0ac5c3f82p-36, -0x1.a10ec75ef7ab3p-37,
-    -0x1.129b28d5b73ccp-38, -0x1.4487aefd9a850p-40, -0x1.d770a68f618dap-42, -0x1.8c7780cf7c4e4p-43,
-    -0x1.0749059a6ef56p-44, -0x1.398fc9777ae42p-46, -0x1.c9f082c1314bap-48, -0x1.829e0bc5bad03p-49
-};
-GS_TABLE(gs_flight_tail_lean6) = {
-    0x1.54bdf5c83cb24p-30, 0x1.3694a3349db6bp-32, 0x1.6cebefc06f424p-34, 0x1.0166d0c46e210p-35,
-    0x1.18b382cb56caap-37, 0x1.076a5d4795a48p-39, 0x1.3d8b4982512bfp-41, 0x1.c89958c072636p-43,
-    0x1.fbf66bbcd46f7p-45, 0x1.e5aed08f632c5p-47, 0x1.2882d6ea3d1c9p-48, 0x1.ae576d552a044p-50,
-    0x1.e370ad354cea5p-52, 0x1.d27eb5adc4520p-54, 0x1.1e9846137aa56p-55, 0x1.a1dce27b41786p-57
-};
-GS_TABLE(gs_flight_tail_lean7) = {
-    -0x1.3bfdf3083dd69p-34, -0x1.d88016a0770a8p-37, -0x1.d30a32a92975bp-39, -0x1.1c06ef0635bc4p-40,
-    -0x1.00a41db3bf2f3p-42, -0x1.880f6d0fba1b2p-45, -0x1.8e7c987b604eap-47, -0x1.ef4b3938e4378p-49,
-    -0x1.c9e1bb41a6406p-51, -0x1.6548b0f6b8c56p-53, -0x1.707ad46633171p-55, -0x1.cee36ad860d32p-57,
-    -0x1.b0bac995c05f2p-59, -0x1.55352e9393fbap-61, -0x1.626fa493c2f6ap-63, -0x1.bf95d5aba7999p-65
-};
-
-static inline gs_v gs_flight_tail_lean(gs_v x)
-{
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4108, 50);
-    const gs_v d = gs_sub(x, gs_pick(gs_flight_tail_centre, i));
-    const gs_v q7 = gs_pick(gs_flight_tail_lean7, i);
-    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_tail_lean6, i));
-    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_tail_lean5, i));
-    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_tail_lean4, i));
-    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_tail_lean3, i));
-    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_tail_lean2, i));
-    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_flight_tail_lean1, i));
-    const gs_v r = gs_fma(q1, d, gs_pick(gs_flight_tail_lean0, i));
     return r;
 }
 
@@ -1865,26 +1814,6 @@ static inline gs_v gs_phi1m_range2_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_phi1m_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
-    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
-    return r;
-}
-
-/* (1 - exp(-z))/z, of vectors inside the domain. */
-static inline gs_v gs_phi1m_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
-    const gs_v r = gs_phi1m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_phi1m_rarely_lean(x, r);
-}
-
 static inline gs_v gs_phi2m_range0_lean(gs_v x)
 {
     const gs_v f = gs_phi2m_lean(x);
@@ -1909,26 +1838,6 @@ static inline gs_v gs_phi2m_range2_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_phi2m_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
-    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
-    return r;
-}
-
-/* (z - 1 + exp(-z))/z^2, of vectors inside the domain. */
-static inline gs_v gs_phi2m_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
-    const gs_v r = gs_phi2m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_phi2m_rarely_lean(x, r);
-}
-
 static inline gs_v gs_descent_factor_range0_lean(gs_v x)
 {
     const gs_v f = gs_descent_factor_lean(x);
@@ -1951,26 +1860,6 @@ static inline gs_v gs_descent_factor_range2_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_descent_factor_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3))), r);
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
-    return r;
-}
-
-/* tau/p with tau - 1 + exp(-tau) = p^2/2, of vectors inside the domain. */
-static inline gs_v gs_descent_factor_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.2c00000000000p+3));
-    const gs_v r = gs_descent_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_descent_factor_rarely_lean(x, r);
-}
-
 static inline gs_v gs_flight_factor_range0_lean(gs_v x)
 {
     const gs_v f = gs_flight_factor_lean(x);
@@ -1980,37 +1869,10 @@ static inline gs_v gs_flight_factor_range0_lean(gs_v x)
 
 static inline gs_v gs_flight_factor_range1_lean(gs_v x)
 {
-    const gs_v f = gs_flight_tail_lean(x);
-    const gs_v r = f;
-    return r;
-}
-
-static inline gs_v gs_flight_factor_range2_lean(gs_v x)
-{
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
     const gs_v f_s = gs_add(y_q, gs_v_of(0x1.0000000000000p-1));
     const gs_v r = f_s;
     return r;
-}
-
-static GS_RARE gs_v gs_flight_factor_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+3))), r);
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_flight_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7))), r);
-    return r;
-}
-
-/* T/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_flight_factor_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+3));
-    const gs_v r = gs_flight_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_flight_factor_rarely_lean(x, r);
 }
 
 static inline gs_v gs_range_factor_range0_lean(gs_v x)
@@ -2032,26 +1894,6 @@ static inline gs_v gs_range_factor_range2_lean(gs_v x)
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
     const gs_v r = y_q;
     return r;
-}
-
-static GS_RARE gs_v gs_range_factor_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
-    return r;
-}
-
-/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_range_factor_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_range_factor_rarely_lean(x, r);
 }
 
 static inline gs_v gs_range_loss_range0_lean(gs_v x)
@@ -2083,26 +1925,6 @@ static inline gs_v gs_range_loss_range2_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_range_loss_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
-    return r;
-}
-
-/* the slope of range_factor, negative, of vectors inside the domain. */
-static inline gs_v gs_range_loss_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_range_loss_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_range_loss_rarely_lean(x, r);
-}
-
 static inline gs_v gs_grown_balance_range0_lean(gs_v x)
 {
     const gs_v f = gs_grown_balance_lean(x);
@@ -2132,29 +1954,6 @@ static inline gs_v gs_grown_balance_range3_lean(gs_v x)
 {
     const gs_v r = x;
     return r;
-}
-
-static GS_RARE gs_v gs_grown_balance_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
-    return r;
-}
-
-/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_grown_balance_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_grown_balance_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_grown_balance_rarely_lean(x, r);
 }
 
 static inline gs_v gs_max_range_factor_range0_lean(gs_v x)
@@ -2221,29 +2020,6 @@ static inline gs_v gs_max_range_factor_range3_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_max_range_factor_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
-    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554))), r);
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
-    return r;
-}
-
-/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, of vectors inside the domain. */
-static inline gs_v gs_max_range_factor_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_max_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_max_range_factor_rarely_lean(x, r);
-}
-
 static inline gs_v gs_acot_range0_lean(gs_v x)
 {
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
@@ -2271,26 +2047,6 @@ static inline gs_v gs_acot_range2_lean(gs_v x)
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
     const gs_v r = y_q;
     return r;
-}
-
-static GS_RARE gs_v gs_acot_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0))), r);
-    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100))), r);
-    return r;
-}
-
-/* the angle in [0, pi/2] whose cotangent is x, of vectors inside the domain. */
-static inline gs_v gs_acot_all(gs_v x)
-{
-    const gs_mask here = gs_within(x, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
-    const gs_v r = gs_acot_range0_lean(gs_select(here, x, gs_v_of(0x1.2000000000000p-2)));
-    return gs_all(here) ? r : gs_acot_rarely_lean(x, r);
 }
 
 static inline gs_v gs_best_sine_range0_lean(gs_v x)

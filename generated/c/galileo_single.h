@@ -44,7 +44,13 @@ static inline gs_v gs_s_kept(gs_v r, gs_v a, gs_mask *good)
 static inline gs_v gs_s_add(gs_v a, gs_v b, gs_mask *good) { return gs_s_kept(gs_add(a, b), a, good); }
 static inline gs_v gs_s_sub(gs_v a, gs_v b, gs_mask *good) { return gs_s_kept(gs_sub(a, b), a, good); }
 
-static inline gs_turn_single gs_s_angle(gs_v theta)
+/* The same step as of pairs. */
+typedef struct {
+    gs_v s, c, over, less; /* sin(d), cos(d) - 1 */
+    gs_mask far;
+} gs_near_angle_single;
+
+static inline gs_near_angle_single gs_s_near_angle(gs_v theta)
 {
     const gs_v size = gs_min(gs_abs(theta), gs_v_of(GS_HALF_TURN_0)), big = gs_v_of(0x1.8p+52);
     const gs_mask far = gs_at_least(size, gs_v_of(GS_QUARTER_TURN));
@@ -53,16 +59,44 @@ static inline gs_turn_single gs_s_angle(gs_v theta)
     const gs_v u = gs_fma(x, gs_v_of(GS_TURNS_A_RADIAN), big);
     const gs_index i = gs_low_index(u);
     const gs_v d = gs_fnma(gs_sub(u, big), gs_v_of(GS_TURN_STEP), x);
-    const gs_v s = gs_pick(gs_turn_sine, i), c = gs_pick(gs_turn_cosine, i);
     const gs_v q = gs_mul(d, d);
-    gs_v over = gs_fma(q, gs_v_of(0x1.1111111111111p-7), gs_v_of(-0x1.5555555555555p-3));
-    over = gs_fma(gs_mul(over, q), d, d); /* sin(d) */
-    gs_v less = gs_fma(q, gs_v_of(-0x1.6c16c16c16c17p-10), gs_v_of(0x1.5555555555555p-5));
-    less = gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q); /* cos(d) - 1 */
-    const gs_v sine = gs_fma(c, over, gs_fma(s, less, s));
-    const gs_v cosine = gs_fnma(s, over, gs_fma(c, less, c));
-    const gs_turn_single r = {gs_select(far, cosine, sine), gs_select(far, sine, cosine), theta};
+    const gs_v over = gs_mul(gs_fma(q, gs_v_of(0x1.1111111111111p-7), gs_v_of(-0x1.5555555555555p-3)), q);
+    const gs_v less = gs_fma(q, gs_v_of(-0x1.6c16c16c16c17p-10), gs_v_of(0x1.5555555555555p-5));
+    const gs_near_angle_single r = {
+        gs_pick(gs_turn_sine, i),
+        gs_pick(gs_turn_cosine, i),
+        gs_fma(over, d, d),
+        gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q),
+        far,
+    };
     return r;
+}
+
+static inline gs_turn_single gs_s_angle(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    const gs_v sine = gs_fma(t.c, t.over, gs_fma(t.s, t.less, t.s));
+    const gs_v cosine = gs_fnma(t.s, t.over, gs_fma(t.c, t.less, t.c));
+    const gs_turn_single r = {gs_select(t.far, cosine, sine), gs_select(t.far, sine, cosine), theta};
+    return r;
+}
+
+static inline gs_v gs_s_one(gs_near_angle_single t, gs_mask crossed)
+{
+    const gs_v a = gs_select(crossed, t.c, t.s), b = gs_select(crossed, t.s, t.c);
+    return gs_fma(b, gs_select(crossed, gs_minus(t.over), t.over), gs_fma(a, t.less, a));
+}
+
+static inline gs_v gs_s_sine_of(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    return gs_flip(gs_s_one(t, t.far), theta);
+}
+
+static inline gs_v gs_s_cosine_of(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    return gs_s_one(t, gs_not(t.far));
 }
 
 static inline gs_v gs_s_sine(gs_turn_single a) { return gs_flip(a.s, a.sign); }
@@ -81,15 +115,470 @@ static inline gs_v gs_s_driving(gs_turn_single a, gs_v mu, gs_mask *good, gs_mas
 /* exp(-z): beyond 600 any product with floats is 0 in binary32. */
 static inline gs_v gs_s_phi0m(gs_v z) { return gs_exp_minus_range0_lean(gs_min(z, gs_v_of(600.0))); }
 
-static inline gs_v gs_s_phi1m(gs_v x) { return gs_phi1m_all(x); }
-static inline gs_v gs_s_phi2m(gs_v x) { return gs_phi2m_all(x); }
-static inline gs_v gs_s_descent_factor(gs_v x) { return gs_descent_factor_all(x); }
-static inline gs_v gs_s_flight_factor(gs_v x) { return gs_flight_factor_all(x); }
-static inline gs_v gs_s_range_factor(gs_v x) { return gs_range_factor_all(x); }
-static inline gs_v gs_s_range_loss(gs_v x) { return gs_range_loss_all(x); }
-static inline gs_v gs_s_grown_balance(gs_v x) { return gs_grown_balance_all(x); }
-static inline gs_v gs_s_max_range_factor(gs_v x) { return gs_max_range_factor_all(x); }
-static inline gs_v gs_s_acot(gs_v x) { return gs_acot_all(x); }
-static inline gs_v gs_s_range_balance(gs_v b) { return gs_s_mul(gs_s_phi0m(b), gs_s_grown_balance(b)); }
+static inline gs_v gs_s_phi1m_served0(gs_mask here, gs_v x)
+{
+    return gs_phi1m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_phi1m_served1(gs_mask here, gs_v x)
+{
+    return gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)));
+}
+static inline gs_v gs_s_phi1m_served2(gs_mask here, gs_v x)
+{
+    return gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)));
+}
+static GS_RARE void gs_s_phi1m_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_phi1m_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_phi1m_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* (1 - exp(-z))/z, of numbers inside the domain. */
+static inline void gs_s_phi1m_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.a400000000000p+4));
+        value[i] = gs_s_phi1m_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_phi1m_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_phi1m(gs_v x)
+{
+    gs_v value;
+    gs_s_phi1m_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_phi2m_served0(gs_mask here, gs_v x)
+{
+    return gs_phi2m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_phi2m_served1(gs_mask here, gs_v x)
+{
+    return gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)));
+}
+static inline gs_v gs_s_phi2m_served2(gs_mask here, gs_v x)
+{
+    return gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)));
+}
+static GS_RARE void gs_s_phi2m_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_phi2m_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_phi2m_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* (z - 1 + exp(-z))/z^2, of numbers inside the domain. */
+static inline void gs_s_phi2m_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.a400000000000p+4));
+        value[i] = gs_s_phi2m_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_phi2m_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_phi2m(gs_v x)
+{
+    gs_v value;
+    gs_s_phi2m_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_descent_factor_served0(gs_mask here, gs_v x)
+{
+    return gs_descent_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_descent_factor_served1(gs_mask here, gs_v x)
+{
+    return gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3)));
+}
+static inline gs_v gs_s_descent_factor_served2(gs_mask here, gs_v x)
+{
+    return gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY)));
+}
+static GS_RARE void gs_s_descent_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_descent_factor_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_descent_factor_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* tau/p with tau - 1 + exp(-tau) = p^2/2, of numbers inside the domain. */
+static inline void gs_s_descent_factor_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.2c00000000000p+3));
+        value[i] = gs_s_descent_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_descent_factor_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_descent_factor(gs_v x)
+{
+    gs_v value;
+    gs_s_descent_factor_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_flight_factor_served0(gs_mask here, gs_v x)
+{
+    return gs_flight_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_flight_factor_served1(gs_mask here, gs_v x)
+{
+    return gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)));
+}
+static GS_RARE void gs_s_flight_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_flight_factor_served1(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* T/(2 b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_s_flight_factor_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.fe00000000000p+7));
+        value[i] = gs_s_flight_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_flight_factor_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_flight_factor(gs_v x)
+{
+    gs_v value;
+    gs_s_flight_factor_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_range_factor_served0(gs_mask here, gs_v x)
+{
+    return gs_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_range_factor_served1(gs_mask here, gs_v x)
+{
+    return gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)));
+}
+static inline gs_v gs_s_range_factor_served2(gs_mask here, gs_v x)
+{
+    return gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)));
+}
+static GS_RARE void gs_s_range_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_range_factor_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_range_factor_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_s_range_factor_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_s_range_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_range_factor_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_range_factor(gs_v x)
+{
+    gs_v value;
+    gs_s_range_factor_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_range_loss_served0(gs_mask here, gs_v x)
+{
+    return gs_range_loss_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_range_loss_served1(gs_mask here, gs_v x)
+{
+    return gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)));
+}
+static inline gs_v gs_s_range_loss_served2(gs_mask here, gs_v x)
+{
+    return gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)));
+}
+static GS_RARE void gs_s_range_loss_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_range_loss_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_range_loss_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* the slope of range_factor, negative, of numbers inside the domain. */
+static inline void gs_s_range_loss_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_s_range_loss_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_range_loss_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_range_loss(gs_v x)
+{
+    gs_v value;
+    gs_s_range_loss_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_grown_balance_served0(gs_mask here, gs_v x)
+{
+    return gs_grown_balance_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_grown_balance_served1(gs_mask here, gs_v x)
+{
+    return gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)));
+}
+static inline gs_v gs_s_grown_balance_served2(gs_mask here, gs_v x)
+{
+    return gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)));
+}
+static inline gs_v gs_s_grown_balance_served3(gs_mask here, gs_v x)
+{
+    return gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY)));
+}
+static GS_RARE void gs_s_grown_balance_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_grown_balance_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_grown_balance_served2(here, x), r);
+        here = gs_at_least(x, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_grown_balance_served3(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_s_grown_balance_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_s_grown_balance_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_grown_balance_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_grown_balance(gs_v x)
+{
+    gs_v value;
+    gs_s_grown_balance_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_max_range_factor_served0(gs_mask here, gs_v x)
+{
+    return gs_max_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_max_range_factor_served1(gs_mask here, gs_v x)
+{
+    return gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)));
+}
+static inline gs_v gs_s_max_range_factor_served2(gs_mask here, gs_v x)
+{
+    return gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554)));
+}
+static inline gs_v gs_s_max_range_factor_served3(gs_mask here, gs_v x)
+{
+    return gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY)));
+}
+static GS_RARE void gs_s_max_range_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_max_range_factor_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_max_range_factor_served2(here, x), r);
+        here = gs_at_least(x, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_max_range_factor_served3(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, of numbers inside the domain. */
+static inline void gs_s_max_range_factor_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_s_max_range_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_max_range_factor_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_max_range_factor(gs_v x)
+{
+    gs_v value;
+    gs_s_max_range_factor_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_acot_served0(gs_mask here, gs_v x)
+{
+    return gs_acot_range0_lean(gs_select(here, x, gs_v_of(0x1.2000000000000p-2)));
+}
+static inline gs_v gs_s_acot_served1(gs_mask here, gs_v x)
+{
+    return gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_acot_served2(gs_mask here, gs_v x)
+{
+    return gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100)));
+}
+static GS_RARE void gs_s_acot_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_acot_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_acot_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* the angle in [0, pi/2] whose cotangent is x, of numbers inside the domain. */
+static inline void gs_s_acot_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_within(x[i], gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
+        value[i] = gs_s_acot_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_acot_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_acot(gs_v x)
+{
+    gs_v value;
+    gs_s_acot_each(1, &x, &value);
+    return value;
+}
 
 #endif

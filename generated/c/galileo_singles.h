@@ -230,10 +230,6 @@ static inline gs_v gs_flight_factor_quick1(gs_v x)
 {
     return gs_flight_factor_range1_lean(x);
 }
-static inline gs_v gs_flight_factor_quick2(gs_v x)
-{
-    return gs_flight_factor_range2_lean(x);
-}
 static GS_RARE gs_v gs_flight_factor_settled(gs_v wide)
 {
     gs_v lo;
@@ -251,36 +247,26 @@ static inline gs_v gs_flight_factor_kind1_single(gs_v x)
     const gs_v r = gs_flight_factor_quick1(x);
     return gs_all(gs_rounds_one_way(r)) ? r : gs_flight_factor_settled(x);
 }
-static inline gs_v gs_flight_factor_kind2_single(gs_v x)
-{
-    const gs_v r = gs_flight_factor_quick2(x);
-    return gs_all(gs_rounds_one_way(r)) ? r : gs_flight_factor_settled(x);
-}
 static GS_RARE void gs_flight_factor_mixed_single(size_t n, const float *x, float *value)
 {
-    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
-    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_widen(x + i);
         const gs_mask in1 = gs_flight_factor_is_kind1(v);
-        const gs_mask in2 = gs_flight_factor_is_kind2(v);
-        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        const gs_mask in0 = gs_not(in1);
         length0 = gs_append(part0, length0, in0, v);
         length1 = gs_append(part1, length1, in1, v);
-        length2 = gs_append(part2, length2, in2, v);
     }
     GS_SERVE(gs_flight_factor_any_single, gs_v_of(0x0.0p+0), part0, length0);
-    GS_SERVE(gs_flight_factor_kind1_single, gs_v_of(0x1.e000000000000p+3), part1, length1);
-    GS_SERVE(gs_flight_factor_kind2_single, gs_v_of(0x1.fe00000000000p+7), part2, length2);
+    GS_SERVE(gs_flight_factor_kind1_single, gs_v_of(0x1.fe00000000000p+7), part1, length1);
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_widen(x + i);
         const gs_mask in1 = gs_flight_factor_is_kind1(v);
-        const gs_mask in2 = gs_flight_factor_is_kind2(v);
-        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        const gs_mask in0 = gs_not(in1);
         gs_v r = v;
         r = gs_take(part0, &taken0, in0, r);
         r = gs_take(part1, &taken1, in1, r);
-        r = gs_take(part2, &taken2, in2, r);
         gs_v_narrow(value + i, r);
     }
 }

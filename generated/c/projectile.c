@@ -15,7 +15,7 @@ double gs_scaled_projectile_flight_time_free(double theta_in, double v_in, doubl
     const gs_scaled g = gs_load(g_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     return gs_settle(gs_scale(rise, 1), (isinf(v_in) && isinf(g_in)));
 }
 
@@ -32,7 +32,7 @@ double gs_scaled_projectile_flight_time_drag(double theta_in, double v_in, doubl
     const gs_scaled k = gs_load(k_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled b = gs_mul(k, rise);
     return gs_settle(gs_scale(gs_mul(rise, gs_flight_factor(b)), 1), (isinf(v_in) && isinf(g_in)));
 }
@@ -49,7 +49,7 @@ double gs_scaled_projectile_horizontal_range_free(double theta_in, double v_in, 
     const gs_scaled g = gs_load(g_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled C = gs_cosine(a);
     return gs_settle(gs_scale(gs_mul(gs_mul(v, rise), C), 1), (isinf(v_in) && isinf(g_in)));
 }
@@ -67,7 +67,7 @@ double gs_scaled_projectile_horizontal_range_drag(double theta_in, double v_in, 
     const gs_scaled k = gs_load(k_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled b = gs_mul(k, rise);
     return gs_settle(gs_scale(gs_mul(gs_mul(gs_mul(v, rise), C), gs_range_factor(b)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
@@ -183,7 +183,7 @@ double gs_scaled_projectile_range_slope_theta_free(double theta_in, double v_in,
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled S = gs_sine(a);
-    return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(v, v), gs_sub(gs_mul(C, C), gs_mul(S, S))), g), 1), (isinf(v_in) && isinf(g_in)));
+    return gs_settle(gs_scale(gs_mul(gs_div(gs_mul(v, v), g), gs_sub(gs_mul(C, C), gs_mul(S, S))), 1), (isinf(v_in) && isinf(g_in)));
 }
 
 /* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
@@ -200,9 +200,9 @@ double gs_scaled_projectile_range_slope_theta_drag(double theta_in, double v_in,
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled b = gs_mul(k, rise);
-    return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(gs_mul(v, v), gs_sub(gs_mul(gs_mul(C, C), gs_range_balance(b)), gs_mul(S, S))), gs_range_factor(b)), g), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+    return gs_settle(gs_scale(gs_mul(gs_mul(gs_div(gs_mul(v, v), g), gs_sub(gs_mul(gs_mul(C, C), gs_range_balance(b)), gs_mul(S, S))), gs_range_factor(b)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
 /* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
@@ -217,9 +217,9 @@ double gs_scaled_projectile_range_slope_k_free(double theta_in, double v_in, dou
     const gs_scaled g = gs_load(g_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled C = gs_cosine(a);
-    return gs_settle(gs_scale(gs_div(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), g)), gs_constant(3.0)), 3), (isinf(v_in) && isinf(g_in)));
+    return gs_settle(gs_scale(gs_div(gs_mul(gs_constant(-1.0), gs_mul(gs_mul(gs_mul(gs_div(gs_mul(v, v), g), rise), C), S)), gs_constant(3.0)), 3), (isinf(v_in) && isinf(g_in)));
 }
 
 /* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
@@ -235,10 +235,10 @@ double gs_scaled_projectile_range_slope_k_drag(double theta_in, double v_in, dou
     const gs_scaled k = gs_load(k_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled b = gs_mul(k, rise);
-    return gs_settle(gs_scale(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), gs_range_loss(b)), g)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+    return gs_settle(gs_scale(gs_mul(gs_constant(-1.0), gs_mul(gs_mul(gs_mul(gs_mul(gs_div(gs_mul(v, v), g), rise), C), S), gs_range_loss(b))), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
 /* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
@@ -266,7 +266,7 @@ double gs_scaled_projectile_max_range_drag(double v_in, double g_in, double k_in
     const gs_scaled g = gs_load(g_in);
     const gs_scaled k = gs_load(k_in);
     const gs_scaled alpha = gs_div(gs_mul(v, k), g);
-    return gs_settle(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+    return gs_settle(gs_mul(gs_div(gs_mul(v, v), g), gs_max_range_factor(alpha)), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
 /* The largest value that is told, without flags: it is only compared with. */
@@ -331,7 +331,7 @@ static gs_balance launch_angles_drag_balance(gs_scaled z, gs_scaled alpha)
     const gs_balance at = {
         gs_sub(gs_mul(gs_mul(Z, phi1), phi1), gs_mul(gs_mul(Z, fall), phi2)),
         gs_mul(gs_sub(fade, fall), phi1),
-        gs_add(gs_add(gs_scale(gs_div(gs_mul(gs_mul(alpha, gs_sub(fade, fall)), gs_sub(phi1, phi2)), z), -1), gs_scale(gs_div(gs_mul(gs_mul(alpha, fade), phi1), z), -1)), gs_scale(gs_mul(phi1, phi1), -1)),
+        gs_add(gs_add(gs_scale(gs_mul(gs_mul(gs_div(alpha, z), gs_sub(fade, fall)), gs_sub(phi1, phi2)), -1), gs_scale(gs_mul(gs_mul(gs_div(alpha, z), fade), phi1), -1)), gs_scale(gs_mul(phi1, phi1), -1)),
         fall,
         gs_scale(phi1, -1),
     };

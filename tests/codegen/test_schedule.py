@@ -23,7 +23,7 @@ def test_descent_time_reads_like_the_formula():
         "a = angle(theta)",
         "C = cosine(a)",
         "n = driving(a, mu)",
-        "t0 = sqrt(scale(div(mul(D, div(C, n)), g), 1))",
+        "t0 = sqrt(scale(div(mul(D, C), mul(g, n)), 1))",
         "p = mul(gamma, t0)",
     ]
     assert results == ["mul(t0, descent_factor(p))"]
@@ -71,7 +71,7 @@ def test_what_a_solver_evaluates_comes_from_the_ledger():
 
 def test_counts():
     counts = schedule(FUNCTIONS["chord.descent_time"], "friction_drag").counts
-    assert counts == {"sine and cosine": 1, "driving force": 1, "sqrt": 1, "div": 2, "mul": 3, "table": 1}
+    assert counts == {"sine and cosine": 1, "driving force": 1, "sqrt": 1, "div": 1, "mul": 4, "table": 1}
 
 
 @pytest.mark.parametrize("form", [gamma(Symbol("g", positive=True)), Symbol("g", positive=True) + Rational(1, 3)])

@@ -57,7 +57,7 @@ def test_banks_follow_one_another():
 
 
 # one that starts at 0, one that does not, one of the scaled layer; `make tables` remakes all
-@pytest.mark.parametrize("name", ["descent_factor", "flight_tail", "scaled/descent_factor"])
+@pytest.mark.parametrize("name", ["descent_factor", "phi2m_tail", "scaled/descent_factor"])
 def test_the_coefficients_are_made_again_to_the_byte(name, capsys):
     """The committed files are what the fit gives."""
     assert remake.main(["--check", name]) == 0
@@ -66,13 +66,13 @@ def test_the_coefficients_are_made_again_to_the_byte(name, capsys):
 
 def test_a_wrong_coefficient_is_told(monkeypatch, tmp_path, capsys):
     """`--check` notices one changed digit, and writes nothing."""
-    text = approximations.path_of("flight_tail").read_text(encoding="utf-8")
-    changed = tmp_path / "flight_tail.txt"
+    text = approximations.path_of("phi2m_tail").read_text(encoding="utf-8")
+    changed = tmp_path / "phi2m_tail.txt"
     changed.write_text(text[:-8] + ("0" if text[-8] != "0" else "1") + text[-7:], encoding="utf-8")
     before = changed.read_bytes()
     monkeypatch.setattr(approximations, "path_of", lambda name: changed)
-    assert remake.main(["--check", "flight_tail"]) == 1
-    assert "flight_tail: differs" in capsys.readouterr().out
+    assert remake.main(["--check", "phi2m_tail"]) == 1
+    assert "phi2m_tail: differs" in capsys.readouterr().out
     assert changed.read_bytes() == before
 
 

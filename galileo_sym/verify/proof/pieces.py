@@ -128,7 +128,7 @@ def pieces(emitted, name, suffix=NEAR, served=None, reach=HALF):
     ----------
     emitted : Emitted
     name : str
-        The bank's, such as "flight_tail".
+        The bank's, such as "phi2m_tail".
     suffix : str
         NEAR or PAIR: which function's look-up is read.
     served : Bank, optional

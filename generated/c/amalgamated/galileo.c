@@ -1905,122 +1905,143 @@ static inline gs_v gs_descent_factor_value(gs_v x, gs_v *lo)
     return gs_all(here) ? r : gs_descent_factor_outside(x, r, lo);
 }
 
-/* T/(2 b), T = (1 + b)(1 - exp(-T)), on [0.0, 15.0): degree 14 on each of 16 pieces. */
+/* T/(2 b), T = (1 + b)(1 - exp(-T)), on [0.0, 255.0): degree 17 on each of 16 pieces. */
 GS_TABLE(gs_flight_factor_centre) = {
-    0x0.0p+0, 0x1.8000000000000p-2, 0x1.4000000000000p-1, 0x1.c000000000000p-1,
-    0x1.4000000000000p+0, 0x1.c000000000000p+0, 0x1.2000000000000p+1, 0x1.6000000000000p+1,
-    0x1.c000000000000p+1, 0x1.2000000000000p+2, 0x1.6000000000000p+2, 0x1.a000000000000p+2,
-    0x1.0000000000000p+3, 0x1.4000000000000p+3, 0x1.8000000000000p+3, 0x1.c000000000000p+3
+    0x0.0p+0, 0x1.8000000000000p-1, 0x1.8000000000000p+0, 0x1.4000000000000p+1,
+    0x1.0000000000000p+2, 0x1.8000000000000p+2, 0x1.2000000000000p+3, 0x1.a000000000000p+3,
+    0x1.3000000000000p+4, 0x1.b000000000000p+4, 0x1.3800000000000p+5, 0x1.b800000000000p+5,
+    0x1.3c00000000000p+6, 0x1.bc00000000000p+6, 0x1.3e00000000000p+7, 0x1.be00000000000p+7
 };
 GS_TABLE(gs_flight_factor_c0) = {
-    0x1.0000000000000p+0, 0x1.cc984a98863f2p-1, 0x1.b40dc266739a2p-1, 0x1.a067e9091713dp-1,
-    0x1.8941ce2c64e25p-1, 0x1.72474a4528b73p-1, 0x1.6130815ba1e0dp-1, 0x1.540b06a25919bp-1,
-    0x1.4549df6beba4cp-1, 0x1.379497341c568p-1, 0x1.2e1609a23c530p-1, 0x1.273876acb52a2p-1,
-    0x1.1ff6e420637afp-1, 0x1.1998655083cc7p-1, 0x1.15552c3ffae10p-1, 0x1.12491f1297d1dp-1
+    0x1.0000000000000p+0, 0x1.a9b7e4077da87p-1, 0x1.7cdc9c677ef25p-1, 0x1.5a357cff17628p-1,
+    0x1.3dc46e7b8fbbbp-1, 0x1.2a647efc19859p-1, 0x1.1c6e78691c81ep-1, 0x1.13b12c0d89638p-1,
+    0x1.0d794354ff4d8p-1, 0x1.097b425ecfcdep-1, 0x1.0690690690690p-1, 0x1.04a7904a7904ap-1,
+    0x1.033d91d2a2068p-1, 0x1.024e6a171024ep-1, 0x1.019c2d14ee4a1p-1, 0x1.0125e22708093p-1
 };
 GS_TABLE(gs_flight_factor_c0_lo) = {
-    0x0.0p+0, 0x1.5e957d3978dfcp-57, 0x1.709b7c0b6ba84p-55, 0x1.b9b37831be3e6p-56,
-    0x1.a64bb4f5db5dap-56, 0x1.e01930e9d2772p-58, -0x1.e4d17096d070fp-55, 0x1.d328f17006c9dp-56,
-    -0x1.6074b1b144b61p-59, 0x1.f7d65b352a806p-56, -0x1.ad9613a1cd8d9p-56, 0x1.4c1c5fac759cfp-56,
-    -0x1.1ab4316d19036p-56, -0x1.36ff433965414p-56, 0x1.0d3b3f7ef8344p-55, 0x1.4bec512ddeee2p-56
+    0x0.0p+0, -0x1.f626e3bf6d23dp-56, 0x1.3e3ec840d4643p-55, -0x1.8c9b2674fc9d7p-55,
+    0x1.491b879215ccap-55, 0x1.3808a12f6a10fp-56, -0x1.b04e04067fb2cp-55, -0x1.fcc1ea2390f14p-57,
+    -0x1.21480b81829c5p-55, -0x1.573af643175f1p-58, 0x1.9075992bd9eafp-55, 0x1.e412c54d97028p-55,
+    -0x1.36e9788361fcap-55, 0x1.a85c510cc0a58p-55, 0x1.a12d631ba17cap-61, -0x1.dd8f42fa4c24ep-58
 };
 GS_TABLE(gs_flight_factor_c1) = {
-    -0x1.5555555555555p-2, -0x1.ba28e9428593fp-3, -0x1.5cf9cd74e1d63p-3, -0x1.1b4cf7e2d9386p-3,
-    -0x1.ae88761907029p-4, -0x1.39d4f6b012a67p-4, -0x1.dc04099b80995p-5, -0x1.736334b48a3d3p-5,
-    -0x1.0a1d774ea128dp-5, -0x1.682ca35d068dcp-6, -0x1.ff265aaddffd4p-7, -0x1.7908b7c98062fp-7,
-    -0x1.fb60b74d7238ep-8, -0x1.4712829cb9c0fp-8, -0x1.c6f318b860535p-9, -0x1.4e58840c071dcp-9
+    -0x1.5555555555555p-2, -0x1.397b760a6deecp-3, -0x1.6d68f732f5d01p-4, -0x1.a32e8f0550356p-5,
+    -0x1.b2ea654ecc535p-6, -0x1.b50db538b40e7p-7, -0x1.92ded59dc8116p-8, -0x1.83ba5c56b55ffp-9,
+    -0x1.6b147dfa8f32cp-10, -0x1.67980e08c827dp-11, -0x1.58b31509ee264p-12, -0x1.5aa2fe645e71fp-13,
+    -0x1.50073827b4da6p-14, -0x1.546b4b9161626p-15, -0x1.4bd091a7adf00p-16, -0x1.515f752155296p-17
 };
 GS_TABLE(gs_flight_factor_c1_lo) = {
-    -0x1.4fa4429bc00e8p-56, 0x1.18a1b3363c5abp-59, -0x1.5c39d7b05a172p-57, 0x1.ba01356285621p-58,
-    -0x1.2a3ae55854074p-60, -0x1.9f4ea9d12f4b1p-63, -0x1.6f231de4bbd43p-59, 0x1.cca5c76ad42bep-59,
-    -0x1.a9dbc9821d5f0p-59, 0x1.ea1f43895a7c6p-62, -0x1.426c8a8545032p-63, -0x1.435f363d6d7dfp-61,
-    0x1.2ee55340374c5p-63, 0x1.74ba736dcb646p-64, -0x1.fc97fd78dc4ddp-64, -0x1.b9cf7dffed51bp-63
+    -0x1.40d23152081f8p-56, -0x1.f565d678f50f6p-58, -0x1.d82c67f3a075ap-58, 0x1.9b5a46336afd9p-62,
+    0x1.282ab7194fdffp-60, 0x1.a6b93143daeb0p-61, -0x1.965621d255b5cp-63, 0x1.be4548ee6170ep-65,
+    -0x1.1b4cb35c9f050p-64, 0x1.1601a02c39f97p-71, 0x1.f9d3bdeab2685p-66, 0x1.cc00c4e9574fbp-67,
+    -0x1.7d30311b8e094p-69, -0x1.b250d5ea6d80dp-71, 0x1.31574e8ba77d3p-70, -0x1.e48dec2795b05p-71
 };
 GS_TABLE(gs_flight_factor_c2) = {
-    0x1.c71c71c71c70fp-3, 0x1.c13907082fa96p-4, 0x1.34b3490b850d1p-4, 0x1.be725e24cd889p-5,
-    0x1.261bf080a1fdep-5, 0x1.710322b8ab587p-6, 0x1.f0e424a4624c4p-7, 0x1.5f68063f64ad0p-7,
-    0x1.bd96028a4010fp-8, 0x1.06e09318cab36p-8, 0x1.49c7cce48cf72p-9, 0x1.b0d95983dd04dp-10,
-    0x1.ed291a149727ep-11, 0x1.03afa932de8b2p-11, 0x1.2ec1aacc49c2dp-12, 0x1.7df5e47ce0de9p-13
+    0x1.c71c71c71c6f7p-3, 0x1.05142dc846454p-4, 0x1.ccf6c25002741p-6, 0x1.9fb6069c177bep-7,
+    0x1.531b70e2a45e1p-8, 0x1.09cf397454b69p-9, 0x1.60ced3135fdfbp-11, 0x1.dccd1c50a4a0bp-13,
+    0x1.31bfe3e697f46p-14, 0x1.aa2f78bf1c27dp-16, 0x1.1ad4948b6de78p-17, 0x1.935beb82c1ae7p-19,
+    0x1.1039b25a7f0e9p-20, 0x1.888e2da0ba19dp-22, 0x1.0b1f0c9a4ed49p-23, 0x1.834c4ac4afd3bp-25
 };
 GS_TABLE(gs_flight_factor_c3) = {
-    -0x1.4dbf86a314154p-3, -0x1.e6eb51011f77fp-5, -0x1.1db84b8ea1ae1p-5, -0x1.692e235b3b0a8p-6,
-    -0x1.918fe0c30c708p-7, -0x1.a39e02b01e2afp-8, -0x1.e7f40d9d64edap-9, -0x1.323df442b05b0p-9,
-    -0x1.5135c190eb58fp-10, -0x1.59cb7d019cb00p-11, -0x1.84bf2e75f7f8bp-12, -0x1.cf734310559fdp-13,
-    -0x1.cc8325706d94ep-14, -0x1.9624c57342e16p-15, -0x1.910a8f4ac8363p-16, -0x1.b3cb092f55f65p-17
+    -0x1.4dbf86a3133d3p-3, -0x1.c2b3ddaf080c8p-6, -0x1.1dad21e05ae11p-7, -0x1.7f6da82628a0bp-9,
+    -0x1.dbf7eede10db3p-11, -0x1.2a5656cef2679p-12, -0x1.2d3812314e9e5p-14, -0x1.246ead5f291bep-16,
+    -0x1.017687cd88670p-18, -0x1.f91bcf99a7560p-21, -0x1.d021c5d11a489p-23, -0x1.d55cff6e431ecp-25,
+    -0x1.b912f39c5934cp-27, -0x1.c4ad2db26c833p-29, -0x1.ae1502949f1f8p-31, -0x1.bc9c75f9e68bbp-33
 };
 GS_TABLE(gs_flight_factor_c4) = {
-    0x1.06f3fd786b9f7p-3, 0x1.19c84e19b289ep-5, 0x1.1941fb15b7939p-6, 0x1.356c3d64abd50p-7,
-    0x1.200bf3412c3f3p-8, 0x1.ee9a376878430p-10, 0x1.e80e1e9ae0940p-11, 0x1.0a4d6d2d705dap-11,
-    0x1.ed38387212c6ep-13, 0x1.a91001b3a6db3p-14, 0x1.a6154787c4d84p-15, 0x1.ca5a3826423a0p-16,
-    0x1.959014eeae808p-17, 0x1.3484fac0c7e45p-18, 0x1.069e4862d874bp-19, 0x1.ef5c5bdcecde2p-21
+    0x1.06f3fd783f697p-3, 0x1.9ce137a8a9ac6p-7, 0x1.71b83cbea9da7p-9, 0x1.649f5ea7e65f4p-11,
+    0x1.3cc624618fcfep-13, 0x1.3450f75bee282p-15, 0x1.ecdc5e05c5148p-18, 0x1.6456c3c6d29f6p-20,
+    0x1.b18b5468a7383p-23, 0x1.2b52d2a0ffa9fp-25, 0x1.7cd3817d96874p-28, 0x1.111586a68d885p-30,
+    0x1.655367618b473p-33, 0x1.0500adf38f5acp-35, 0x1.5a3ac68158bc9p-38, 0x1.fe67d8f0f66b4p-41
 };
 GS_TABLE(gs_flight_factor_c5) = {
-    -0x1.b1706c399cfa3p-4, -0x1.5454c30f3329ep-6, -0x1.20a48de34f12ep-7, -0x1.143962cdf43abp-8,
-    -0x1.ae93cfc6f7fe5p-10, -0x1.2fd7748a92a7dp-11, -0x1.fc8d39f11ecc7p-13, -0x1.e0cf79fd79813p-14,
-    -0x1.7141bf8aa10d2p-15, -0x1.029eb5fd41ff4p-16, -0x1.b5ef7cb5d4ef1p-18, -0x1.a82086cf74728p-19,
-    -0x1.4db76e547e3b7p-20, -0x1.c08380efa99ecp-22, -0x1.50a939ed57825p-23, -0x1.17270827b9fa0p-24
+    -0x1.b1706c33a9e7fp-4, -0x1.8a3443eefe258p-8, -0x1.f2a93f59edad0p-11, -0x1.591d0e70d88a3p-13,
+    -0x1.a9183d4b6ba5dp-16, -0x1.2c9ad1d0384c4p-18, -0x1.7cc55e976acc5p-21, -0x1.ac43d137178eap-24,
+    -0x1.6cdb603d8b283p-27, -0x1.62c0cd6c6fe4ap-30, -0x1.387907c8ec033p-33, -0x1.3dc5443f7acd2p-36,
+    -0x1.217aa8014039bp-39, -0x1.2cf9dd597043bp-42, -0x1.16b9c80df6eecp-45, -0x1.24f7e065932eap-48
 };
 GS_TABLE(gs_flight_factor_c6) = {
-    0x1.7053af2983994p-4, 0x1.a703bb1beef76p-7, 0x1.308c9d0a09734p-8, 0x1.faa5d39b24cc9p-10,
-    0x1.4a606d52b110ep-11, 0x1.7f53f0c393497p-13, 0x1.109cf34483eb8p-14, 0x1.c042cac928d97p-16,
-    0x1.1f2f2d51a4284p-17, 0x1.459d18e3fa7e3p-19, 0x1.c9bd6cacba8d2p-21, 0x1.7d493c0a88ab2p-22,
-    0x1.024e050112004p-23, 0x1.345413f5716d4p-25, 0x1.a15b274a3c1f9p-27, 0x1.35a4d72b2a84ap-28
+    0x1.7053af9f427b8p-4, 0x1.82cb557fd6fd0p-9, 0x1.5933d692bef7dp-12, 0x1.5835c5164dd9ap-15,
+    0x1.287f4e51bb288p-18, 0x1.21e078c420313p-21, 0x1.142fec4e9dbd5p-24, 0x1.f6a7f6a9c586fp-28,
+    0x1.32ab0a5c3600ap-31, 0x1.a471d909644ffp-35, 0x1.00634e8aec07ap-38, 0x1.71c4f6fa88635p-42,
+    0x1.d5078b4a38ab0p-46, 0x1.5b124b5b6e3bep-49, 0x1.c0c4135b0f055p-53, 0x1.5052835327a8cp-56
 };
 GS_TABLE(gs_flight_factor_c7) = {
-    -0x1.4009811490043p-4, -0x1.0c77d19092c45p-7, -0x1.47e9f3e40f869p-9, -0x1.d9da7d274846cp-11,
-    -0x1.0247b67d84daep-12, -0x1.ec2b649ba6896p-15, -0x1.2937a9ba9be83p-16, -0x1.a92f3bb408c5bp-18,
-    -0x1.c8e8aba7758b6p-20, -0x1.a98ea48464ca2p-22, -0x1.f365504596b04p-24, -0x1.5e300bfc09711p-25,
-    -0x1.8305a255341e9p-27, -0x1.8f91b89c96d08p-29, -0x1.ee92ba57b7f6bp-31, -0x1.4eccac01d35a3p-32
+    -0x1.40099e5676eb7p-4, -0x1.832b5752f5f16p-10, -0x1.e6ac526c5c3f0p-14, -0x1.5d1eb2cf9fcfap-17,
+    -0x1.a9ff05f1710c2p-21, -0x1.21a3cc4bfaa74p-24, -0x1.7ba27418c4a63p-28, -0x1.1cdde59f73e5ap-31,
+    -0x1.010425c8c1bd8p-35, -0x1.f24a328ad33c2p-40, -0x1.a4bd38948bd0dp-44, -0x1.ae46f0d90e66fp-48,
+    -0x1.7bf9264f925d3p-52, -0x1.9039ff4239ed7p-56, -0x1.69454b277e681p-60, -0x1.82178c6d3c73ap-64
 };
 GS_TABLE(gs_flight_factor_c8) = {
-    0x1.1acd2a0fc871bp-4, 0x1.5a473018a9514p-8, 0x1.669b5343b4f47p-10, 0x1.c1f0a657732fep-12,
-    0x1.99c2054a2b3edp-14, 0x1.4057431bf0ec8p-16, 0x1.482f74c69414dp-18, 0x1.97d74815d8725p-20,
-    0x1.6eed32d0fb5fep-22, 0x1.1aa3cc828c14cp-24, 0x1.1ac6076d76f06p-26, 0x1.52772a8e85e04p-28,
-    0x1.265363dfdb037p-30, 0x1.ed742a0482b93p-33, 0x1.15e146030f60ap-34, 0x1.5d37586e62b36p-36
+    0x1.1acfa14ba65eap-4, 0x1.89890a3456cfbp-11, 0x1.5bf66aa585e2ep-15, 0x1.665fcba9c5bbfp-19,
+    0x1.355f9c5fb822bp-23, 0x1.2f5ded3bcdcc2p-27, 0x1.fda3ef1793a77p-32, 0x1.3498e3ba459b4p-35,
+    0x1.ac53530270fe3p-40, 0x1.274117591c017p-44, 0x1.5938d1d65a36cp-49, 0x1.f4afa42982d51p-54,
+    0x1.33d3955f34738p-58, 0x1.cd85c367b8be2p-63, 0x1.22d5962fbf1e3p-67, 0x1.bb3a07954c759p-72
 };
 GS_TABLE(gs_flight_factor_c9) = {
-    -0x1.fa1af0e672a47p-5, -0x1.c453790368552p-9, -0x1.8d063b23ec285p-11, -0x1.b0628634ecf49p-13,
-    -0x1.48d442ade83b0p-15, -0x1.a5b17e14bc2b5p-18, -0x1.6e50ffb2cb441p-20, -0x1.8b2f647b99539p-22,
-    -0x1.28dab73a36960p-24, -0x1.78569e19bed7dp-27, -0x1.4399f95dae1bep-29, -0x1.53de4d0c33a01p-31,
-    -0x1.d9cca1780546dp-34, -0x1.2bc8ae650de2dp-36, -0x1.27f8c57bb9c1cp-38, -0x1.5c1d88bcb494cp-40
+    -0x1.fa588fdad9e10p-5, -0x1.94e3c56059636p-12, -0x1.f743dc54b45d3p-17, -0x1.73c4f5391679bp-21,
+    -0x1.c360d3cc4d9d0p-26, -0x1.45149d0a2a93bp-30, -0x1.5edfff508fa5cp-35, -0x1.3d5419957b863p-39,
+    -0x1.614a45936e518p-44, -0x1.5dd5988a6e77dp-49, -0x1.1b424edc675cep-54, -0x1.234eeb261d373p-59,
+    -0x1.f2c1c169a5ff3p-65, -0x1.0a1a62d4050a7p-69, -0x1.d442f507a46a9p-75, -0x1.fcd0f77c532e9p-80
 };
 GS_TABLE(gs_flight_factor_c10) = {
-    0x1.c743f7cabf36ep-5, 0x1.2a76e84da4acep-9, 0x1.bbf5a807c35c9p-12, 0x1.a3933b9b84378p-14,
-    0x1.0a60b303d6aa0p-16, 0x1.18160b801ee70p-19, 0x1.9c860bc794f3ep-22, 0x1.8253fcf96ffdbp-24,
-    0x1.e46a46b13010bp-27, 0x1.f6918c5f66f22p-30, 0x1.70591a054f060p-32, 0x1.571d8f70f8b3bp-34,
-    0x1.93f8df63cfd14p-37, 0x1.79157bb91e7fep-40, 0x1.2ecb660ded773p-42, 0x1.49a3485755e12p-44
+    0x1.c93688446b125p-5, 0x1.a4b10b30a145cp-13, 0x1.6f4ff16980e2cp-18, 0x1.8517c442dcbbap-23,
+    0x1.4b80842989f12p-28, 0x1.5b193a38c6d0fp-33, 0x1.023f2c43e4563p-38, 0x1.35d8aebe32f0ap-43,
+    0x1.1ebc265774604p-48, 0x1.9e533e18ed0fep-54, 0x1.d0d38942eecc0p-60, 0x1.52f9fda6aae51p-65,
+    0x1.940c9bc2596a5p-71, 0x1.32db76a1177b1p-76, 0x1.78f589eaab892p-82, 0x1.240e41a97ba59p-87
 };
 GS_TABLE(gs_flight_factor_c11) = {
-    -0x1.9206d9c6a80d6p-5, -0x1.8d1b521d3aec7p-10, -0x1.f47a554ac4db1p-13, -0x1.9a6744d4daf4fp-15,
-    -0x1.b2a9cf7f98630p-18, -0x1.76c1e3b7fa969p-21, -0x1.d3e0fbf7f9841p-24, -0x1.7c5a6e24b7bc1p-26,
-    -0x1.8e023b95257aap-29, -0x1.51fcc902c6393p-32, -0x1.a213c8be955f9p-35, -0x1.5590fd0f4edc7p-37,
-    -0x1.5f6ae0b3bdbf5p-40, -0x1.ffed2eaf7ffbep-44, -0x1.3416d0a269681p-46, -0x1.28bd93e60d62cp-48
+    -0x1.9c9d61252e294p-5, -0x1.b8afb31a96cecp-14, -0x1.0e26010a5c6c7p-19, -0x1.9a29b8fbeaf78p-25,
+    -0x1.eaedcdfcecc29p-31, -0x1.6ee43b1cece2dp-36, -0x1.95566c884f957p-42, -0x1.2353b58afe302p-47,
+    -0x1.c6b85258e4474p-53, -0x1.ea3f521131837p-59, -0x1.7d65454ea5279p-65, -0x1.8a72069358eb5p-71,
+    -0x1.4754befea9a72p-77, -0x1.61da7af5ba364p-83, -0x1.2f76c5f87d361p-89, -0x1.4f4652444910bp-95
 };
 GS_TABLE(gs_flight_factor_c12) = {
-    0x1.44d78501691e0p-5, 0x1.0a22690025880p-10, 0x1.1c19bc5d23786p-13, 0x1.9432ddf6ab504p-16,
-    0x1.6536118754c99p-19, 0x1.f8c5c97095608p-23, 0x1.0b013117efc90p-25, 0x1.78b9745c3c189p-28,
-    0x1.492878278d9bfp-31, 0x1.ca6d0c176b23bp-35, 0x1.ddc3b51e12c66p-38, 0x1.506851a6f21f1p-40,
-    0x1.2cdfe7d9d7ceep-43, 0x1.7568da3168f17p-47, 0x1.49d222ee2bc94p-50, 0x1.01abf056843bfp-52
+    0x1.6ba9fc588e294p-5, 0x1.d0d54d2da1bc2p-15, 0x1.9021236824cb8p-21, 0x1.b302f98496ca6p-27,
+    0x1.6e156385880ffp-33, 0x1.83ab1c5beb17dp-39, 0x1.4550f5b5bf89dp-45, 0x1.1195d785ffe38p-51,
+    0x1.5d90aa7f9cc76p-57, 0x1.2187bb511d6b6p-63, 0x1.392dfc41c53b8p-70, 0x1.cb0826f8fdbaep-77,
+    0x1.095e2fcbd266fp-83, 0x1.9814de75eb37bp-90, 0x1.e8edec825b839p-97, 0x1.80ebba273b870p-103
 };
 GS_TABLE(gs_flight_factor_c13) = {
-    -0x1.999b3ad6028d2p-6, -0x1.70dc5f8047c88p-11, -0x1.4adffdc4eb3b2p-14, -0x1.9653ed189cf7dp-17,
-    -0x1.33b71043832f3p-20, -0x1.5f60498c12093p-24, -0x1.3876f3740ce63p-27, -0x1.7ca40c56271bdp-30,
-    -0x1.1d2ff2abf32dfp-33, -0x1.4168fccfb2187p-37, -0x1.19785a9c32993p-40, -0x1.51b99f3eb5d9cp-43,
-    -0x1.04075d983c266p-46, -0x1.1fb54be61ecdep-50, -0x1.8edf285236970p-54, -0x1.c6c7b8c0b6dd0p-57
+    -0x1.2a92c510e7f33p-5, -0x1.ed27d4e264a16p-16, -0x1.29d714eef6b45p-22, -0x1.cfbf1c6db11f7p-29,
+    -0x1.121d0c24e2e10p-35, -0x1.9de18d3bad286p-42, -0x1.ff31ad768b5b3p-49, -0x1.102d1355e669cp-55,
+    -0x1.025a6bf9cfda6p-61, -0x1.54d047301ffbbp-68, -0x1.00f71bdfe7125p-75, -0x1.0b12b4ed3a221p-82,
+    -0x1.adf694bba9286p-90, -0x1.d6949b0dbe856p-97, -0x1.899a813707a8bp-104, -0x1.b9e1d6d93c4cep-111
 };
 GS_TABLE(gs_flight_factor_c14) = {
-    0x1.1bc0e853eb4acp-7, 0x1.f421129eef5f3p-12, 0x1.7bdfd02d6149cp-15, 0x1.9494665b38882p-18,
-    0x1.ff480821875d0p-22, 0x1.de377f2ac95a4p-26, 0x1.6837f21d4cb85p-29, 0x1.7cae905abc82ep-32,
-    0x1.dc14ef3b75398p-36, 0x1.b7ce2011e1450p-40, 0x1.475d6075bd114p-43, 0x1.52fa63c92b0d9p-46,
-    0x1.a7e122e40eaf8p-50, 0x1.a343a3d13b10cp-54, 0x1.00d840f51ab37p-57, 0x1.a766b75b47a37p-61
+    0x1.a75f8c863834ap-6, 0x1.0622c87582606p-16, 0x1.b7e747e41a3f2p-24, 0x1.ef1b318e820cdp-31,
+    0x1.96c12d8e0c67ap-38, 0x1.bdc30bec605dep-45, 0x1.7d28c88c5d3bdp-52, 0x1.2bb359d6b6502p-59,
+    0x1.6a4620e27cb1ap-66, 0x1.8d7d24091e7c8p-73, 0x1.9e0f92e9a6d5fp-81, 0x1.357bed591344fp-88,
+    0x1.565d2c041f089p-96, 0x1.0e3d63ee62c82p-103, 0x1.3796a9b20a196p-111, 0x1.f947cf5a20134p-119
+};
+GS_TABLE(gs_flight_factor_c15) = {
+    -0x1.d2c9528926d12p-7, -0x1.18bdb7f6b5291p-17, -0x1.4a57b3be30083p-25, -0x1.0a24ec4056feep-32,
+    -0x1.32ca0590a39bfp-40, -0x1.e44c34cba4e43p-48, -0x1.159bc40ba138cp-55, -0x1.6da7ba44fb08ep-63,
+    -0x1.e51d378f654a6p-71, -0x1.cd6cb273d80c2p-78, -0x1.53bb69370529ep-86, -0x1.68207f38a4d23p-94,
+    -0x1.155baf0019248p-102, -0x1.37a0bd09ab917p-110, -0x1.f5ad58102a057p-119, -0x1.2206c760809e0p-126
+};
+GS_TABLE(gs_flight_factor_c16) = {
+    0x1.5766a1289c8e7p-8, 0x1.48dc46e9729ddp-18, 0x1.28ff069b9a721p-26, 0x1.3901bf00ffeb2p-34,
+    0x1.155675ef0ba70p-42, 0x1.1ec759d8c8705p-50, 0x1.df1e6f455f3b6p-59, 0x1.01a51a9ce0684p-66,
+    0x1.5a6cfed02b47bp-75, 0x1.216e961ba6be9p-82, 0x1.57b57a16bc6cbp-91, 0x1.cf26e44ed8e58p-100,
+    0x1.138f41420bfe7p-108, 0x1.8c6b61ee2f08bp-117, 0x1.ede3284ba673dp-126, 0x1.6ef285f5e3c9ep-134
+};
+GS_TABLE(gs_flight_factor_c17) = {
+    -0x1.ecec2fe349025p-11, -0x1.62fa005c4bddcp-19, -0x1.c1a977baaf68bp-28, -0x1.52e83f6a6ed02p-36,
+    -0x1.a574b51232d68p-45, -0x1.373f0a1ed1246p-53, -0x1.66b504277e658p-62, -0x1.3c2a772e8c729p-70,
+    -0x1.adea9f11e2e08p-80, -0x1.446bedf6eb957p-87, -0x1.19ddb0f0b90b2p-96, -0x1.0d785ee349199p-105,
+    -0x1.be79ee98612fap-115, -0x1.c921e1f011562p-124, -0x1.8d984714a6336p-133, -0x1.a53fbd5f27efdp-142
 };
 
 static inline gs_v gs_flight_factor_near(gs_v x, gs_v *lo)
 {
     const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_index i = gs_piece(u, 2046, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
-    const gs_v q14 = gs_pick(gs_flight_factor_c14, i);
+    const gs_v q17 = gs_pick(gs_flight_factor_c17, i);
+    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_flight_factor_c16, i));
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_flight_factor_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_flight_factor_c14, i));
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_factor_c13, i));
     const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_factor_c12, i));
     const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_factor_c11, i));
@@ -2055,9 +2076,12 @@ static inline gs_v gs_flight_factor_near(gs_v x, gs_v *lo)
 static inline gs_v gs_flight_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_index i = gs_piece(u, 2046, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
-    const gs_v q14 = gs_pick(gs_flight_factor_c14, i);
+    const gs_v q17 = gs_pick(gs_flight_factor_c17, i);
+    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_flight_factor_c16, i));
+    const gs_v q15 = gs_fma(q16, d, gs_pick(gs_flight_factor_c15, i));
+    const gs_v q14 = gs_fma(q15, d, gs_pick(gs_flight_factor_c14, i));
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_factor_c13, i));
     const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_factor_c12, i));
     const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_factor_c11, i));
@@ -2090,191 +2114,6 @@ static inline gs_v gs_flight_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* flight_factor, continued, on [15.0, 255.0): degree 14 on each of 16 pieces. */
-GS_TABLE(gs_flight_tail_centre) = {
-    0x1.1000000000000p+4, 0x1.5000000000000p+4, 0x1.9000000000000p+4, 0x1.d000000000000p+4,
-    0x1.1800000000000p+5, 0x1.5800000000000p+5, 0x1.9800000000000p+5, 0x1.d800000000000p+5,
-    0x1.1c00000000000p+6, 0x1.5c00000000000p+6, 0x1.9c00000000000p+6, 0x1.dc00000000000p+6,
-    0x1.1e00000000000p+7, 0x1.5e00000000000p+7, 0x1.9e00000000000p+7, 0x1.de00000000000p+7
-};
-GS_TABLE(gs_flight_tail_c0) = {
-    0x1.0f0f0ec9cc7b8p-1, 0x1.0c30c30aef73ap-1, 0x1.0a3d70a3d132ap-1, 0x1.08d3dcb08d229p-1,
-    0x1.075075075074fp-1, 0x1.05f417d05f418p-1, 0x1.0505050505050p-1, 0x1.0456c797dd49cp-1,
-    0x1.039b0ad120736p-1, 0x1.02f149902f14ap-1, 0x1.027c45979c952p-1, 0x1.0226b90226b90p-1,
-    0x1.01ca4b3055ee2p-1, 0x1.01767dce434aap-1, 0x1.013c995a47bacp-1, 0x1.0112358e75d30p-1
-};
-GS_TABLE(gs_flight_tail_c0_lo) = {
-    -0x1.16bd3a452afd7p-56, -0x1.f915898777359p-57, 0x1.6a48826291dfbp-56, -0x1.16d13e594c93ep-55,
-    0x1.87dc4f1eb7a1dp-55, -0x1.7dc1f3f7794d8p-56, 0x1.414139360c974p-55, 0x1.a08ad8f19ae69p-56,
-    0x1.5a240e6c2b436p-57, -0x1.bf43ad9bf43aep-55, 0x1.3e22cbce4a902p-59, 0x1.135c81135c811p-56,
-    -0x1.bbf8d6d33ea84p-55, -0x1.3bfa2608c6f2dp-55, -0x1.8bbfb0d9a96e1p-57, 0x1.9b5055b0bc84dp-56
-};
-GS_TABLE(gs_flight_tail_c1) = {
-    -0x1.c588c217c8436p-10, -0x1.293723377d583p-10, -0x1.a36e2e9a5c943p-11, -0x1.37b482480556ap-11,
-    -0x1.abfd7e03c270cp-12, -0x1.1b8d5c5929f38p-12, -0x1.9324b647d96b0p-13, -0x1.2d3a774906fc9p-13,
-    -0x1.a004e00ea02bep-14, -0x1.15123aeb10676p-14, -0x1.8b5a770f464acp-15, -0x1.282fdebc9fbc5p-15,
-    -0x1.9a388f8469b5dp-16, -0x1.11e9ea3fd8f22p-16, -0x1.878af2be1e99fp-17, -0x1.25b6b02883c33p-17
-};
-GS_TABLE(gs_flight_tail_c1_lo) = {
-    -0x1.ffbf88e4c4c28p-64, -0x1.5a2aa603ed2bep-65, -0x1.a2d993a365befp-66, -0x1.55b5e247c645fp-65,
-    0x1.061d9ecccfdfbp-68, 0x1.71ae18c506175p-68, 0x1.b5686b0d424f1p-68, 0x1.36b78f3567f46p-67,
-    -0x1.9f9393c7ab56dp-68, 0x1.bc5ae69620a56p-69, -0x1.9ad52771f3cbbp-71, -0x1.105dd732fbbc8p-71,
-    0x1.db4a0c5c57afap-70, -0x1.93c51237117f7p-70, 0x1.7b04aab686201p-71, 0x1.b44df7d03f637p-72
-};
-GS_TABLE(gs_flight_tail_c2) = {
-    0x1.aad737feeb1f3p-14, 0x1.c4e629883460cp-15, 0x1.0c6f794fd25efp-15, 0x1.57f351f0d6700p-16,
-    0x1.874e2a1208bdep-17, 0x1.a607fa909db07p-18, 0x1.f9e7cba5753afp-19, 0x1.46c19716cf2c0p-19,
-    0x1.7700c9f78cc64p-20, 0x1.97a51ec6b707ep-21, 0x1.eb501ca81bb3ep-22, 0x1.3e9672cf3131dp-22,
-    0x1.6f30d6649f11bp-23, 0x1.90b25822e2a9fp-24, 0x1.e43a0fc24fe4bp-25, 0x1.3a9afad059b87p-25
-};
-GS_TABLE(gs_flight_tail_c3) = {
-    -0x1.91a842d38e464p-18, -0x1.591029b1ba802p-19, -0x1.5798e64eed190p-20, -0x1.7b88138a90825p-21,
-    -0x1.65c3ceb112c1ep-22, -0x1.3a11d83bfe341p-23, -0x1.3d6e4d94fe427p-24, -0x1.627289dbff19ep-25,
-    -0x1.5207ec23a656dp-26, -0x1.2be074cd08191p-27, -0x1.314825b088832p-28, -0x1.56aebc07bc71bp-29,
-    -0x1.48ac9c199e4d0p-30, -0x1.2514bb586b424p-31, -0x1.2b6cde75ae4f1p-32, -0x1.50fbb19bb06fcp-33
-};
-GS_TABLE(gs_flight_tail_c4) = {
-    0x1.79bff31574fd3p-22, 0x1.06e50133dbf8cp-23, 0x1.b7cdbedd70ef1p-25, 0x1.a2cb1c6c27ad7p-26,
-    0x1.47196c82176efp-27, 0x1.d373dca0baf29p-29, 0x1.8e58393371443p-30, 0x1.807c3ec3401c1p-31,
-    0x1.30b43635c4d01p-32, 0x1.b932b1bae5a95p-34, 0x1.7b611d7081e11p-35, 0x1.7099878fd9c15p-36,
-    0x1.2632abf3207e3p-37, 0x1.acbc50f65f76ep-39, 0x1.724dc0426351bp-40, 0x1.68f3e3bb1d635p-41
-};
-GS_TABLE(gs_flight_tail_c5) = {
-    -0x1.62b20e74f29bbp-26, -0x1.90895c0cd7c81p-28, -0x1.1978ced93fc53p-29, -0x1.ce1dde49857cdp-31,
-    -0x1.2b0fee1ebefb9p-32, -0x1.5bdf272a4ddd9p-34, -0x1.f3e229a9feafcp-36, -0x1.a1119f3342958p-37,
-    -0x1.12a9a7da85615p-38, -0x1.448f392e5bdc3p-40, -0x1.d776337f69605p-42, -0x1.8c7a1da57db71p-43,
-    -0x1.07568803531bap-44, -0x1.3996e7d5ee83cp-46, -0x1.c9f5cc60f734dp-48, -0x1.82a08d19d5a06p-49
-};
-GS_TABLE(gs_flight_tail_c6) = {
-    0x1.4bc766339d0ddp-30, 0x1.310228cc46cc8p-32, 0x1.684584bcf3a54p-34, 0x1.fdebc01b458e7p-36,
-    0x1.116da631026fdp-37, 0x1.02e19a2b46c18p-39, 0x1.39a7010b4a6e3p-41, 0x1.c469e5193b35bp-43,
-    0x1.ef2aa598603c2p-45, 0x1.dd83456a757edp-47, 0x1.24f27480e08b6p-48, 0x1.aa7671a2f2c94p-50,
-    0x1.d76e276869d0dp-52, 0x1.cabc920b9a5a5p-54, 0x1.1b2eded7c9180p-55, 0x1.9e20b969dd52ep-57
-};
-GS_TABLE(gs_flight_tail_c7) = {
-    -0x1.33f66c51d35ccp-34, -0x1.d0144b80e6aaep-37, -0x1.cd17e79daf13bp-39, -0x1.19556691e5fecp-40,
-    -0x1.f3fbaefa3c8fep-43, -0x1.814fc76eb3addp-45, -0x1.899a5b98c3d60p-47, -0x1.eac0f87ceecc6p-49,
-    -0x1.be58ea671ba9cp-51, -0x1.5f46156cfb57ap-53, -0x1.6c0cfe15573f5p-55, -0x1.cab755a313efdp-57,
-    -0x1.a5fac3242fc07p-59, -0x1.4f8876546f113p-61, -0x1.5e377de5e8e01p-63, -0x1.bb95a9a914ed0p-65
-};
-GS_TABLE(gs_flight_tail_c8) = {
-    0x1.1a076229e3d2dp-38, 0x1.6049366391832p-41, 0x1.26ff3e22d5946p-43, 0x1.366ddc4a95300p-45,
-    0x1.c920951d601cep-48, 0x1.1ebe58dd5c5f1p-50, 0x1.edeee160525ccp-53, 0x1.0a2bea91dca27p-54,
-    0x1.92575c4e851adp-57, 0x1.026885766c63dp-59, 0x1.c4699f2beb2e7p-62, 0x1.ed68b22a08897p-64,
-    0x1.79b748a1492d2p-66, 0x1.ead640d92334fp-69, 0x1.b11e4a13acfc6p-71, 0x1.db22fc6c458b4p-73
-};
-GS_TABLE(gs_flight_tail_c9) = {
-    -0x1.f9dbf25d400eep-43, -0x1.0a440e51af4d2p-45, -0x1.79406d5837ff2p-48, -0x1.568408209e542p-50,
-    -0x1.a1f2d554b52e1p-53, -0x1.aac845b941cccp-56, -0x1.35eb4cde8ffdep-58, -0x1.20ba844fd93cap-60,
-    -0x1.6aad59b600ab6p-63, -0x1.7c301bc54a2f0p-66, -0x1.191c6abd1447fp-68, -0x1.095ce7e948270p-70,
-    -0x1.52192fcc4c285p-73, -0x1.6703595a5a825p-76, -0x1.0bd27c171eddbp-78, -0x1.fceee5f0fa0ddp-81
-};
-GS_TABLE(gs_flight_tail_c10) = {
-    0x1.b882efd4f6862p-47, 0x1.8f68688c759b8p-50, 0x1.e1d7de4f7f82fp-53, 0x1.79ddcc0abee49p-55,
-    0x1.7e1f65dd7e2aap-58, 0x1.3d9afdfa20809p-61, 0x1.84eb0b2119101p-64, 0x1.3932757daa7a9p-66,
-    0x1.46eb955f8d392p-69, 0x1.17adb0620d606p-72, 0x1.5d5782291bb06p-75, 0x1.1d6eb04ed2fccp-77,
-    0x1.2ea22e5d5b711p-80, 0x1.0697a937d8e01p-83, 0x1.4b38406bbe49dp-86, 0x1.1091156423605p-88
-};
-GS_TABLE(gs_flight_tail_c11) = {
-    -0x1.711fa89d4c090p-51, -0x1.27c5e4cfc2316p-54, -0x1.32e5bec78f2a5p-57, -0x1.a0ad28686607fp-60,
-    -0x1.5d033977f9dd3p-63, -0x1.d88264a4a4151p-67, -0x1.e7f2a45d51f76p-70, -0x1.53b2ba576f738p-72,
-    -0x1.26688cdb94af5p-75, -0x1.9b4f654cc410fp-79, -0x1.b20ae9a81218cp-82, -0x1.32fbdbc1fbf8cp-84,
-    -0x1.0ea36e85007afp-87, -0x1.7ffab9cebd77ep-91, -0x1.998a50936ce4dp-94, -0x1.23ebb8291cc9bp-96
-};
-GS_TABLE(gs_flight_tail_c12) = {
-    0x1.279ed2ef2a80cp-55, 0x1.ae43e9e38b26dp-59, 0x1.854ee7ceccaafp-62, 0x1.cb358d408a6f8p-65,
-    0x1.3f15c7f8f4071p-68, 0x1.5fa281cd8f5d4p-72, 0x1.3229d08784f3dp-75, 0x1.707c735a7f30ap-78,
-    0x1.0961d91c779a7p-81, 0x1.2e92ae90bf502p-85, 0x1.0db2469f1ca48p-88, 0x1.4a337a5c7cbe2p-91,
-    0x1.e47fe0b4d0863p-95, 0x1.18da7f20b964dp-98, 0x1.fa7c0f8d82f5ep-102, 0x1.38af5d5c3cd3cp-104
-};
-GS_TABLE(gs_flight_tail_c13) = {
-    -0x1.cfc73adda4f4bp-60, -0x1.3972f16ec5f04p-63, -0x1.f57439c21b8bep-67, -0x1.01360f0a92a68p-69,
-    -0x1.32b70e2ef6f8ap-73, -0x1.0e7532d3f9d37p-77, -0x1.8946f0913299bp-81, -0x1.96b9683354913p-84,
-    -0x1.f65a33443af72p-88, -0x1.cbbe136824ae3p-92, -0x1.56ea082c19da1p-95, -0x1.694c2b0a5f1d2p-98,
-    -0x1.c70a4d3e76876p-102, -0x1.a824e88c34547p-106, -0x1.405db9dd2af5ap-109, -0x1.54a6be8400e6bp-112
-};
-GS_TABLE(gs_flight_tail_c14) = {
-    0x1.4f8951034b405p-64, 0x1.ad60ab0720f67p-68, 0x1.37f9aaf3db6cap-71, 0x1.1a4e98e014a3fp-74,
-    0x1.185818f4830f7p-78, 0x1.928a772005882p-83, 0x1.ed86328a9dae4p-87, 0x1.b931414d1c7e8p-90,
-    0x1.c4d31c2f14afep-94, 0x1.52338cce15192p-98, 0x1.aa25523bc6a69p-102, 0x1.849f5fc650cb7p-105,
-    0x1.974f0a1086bd4p-109, 0x1.363b2dbfc8a71p-113, 0x1.8c339a6bcd3eap-117, 0x1.6ce1bc0000f71p-120
-};
-
-static inline gs_v gs_flight_tail_near(gs_v x, gs_v *lo)
-{
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4108, 50);
-    const gs_v d = gs_sub(x, gs_pick(gs_flight_tail_centre, i));
-    const gs_v q14 = gs_pick(gs_flight_tail_c14, i);
-    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_tail_c13, i));
-    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_tail_c12, i));
-    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_tail_c11, i));
-    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_flight_tail_c10, i));
-    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_tail_c9, i));
-    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_flight_tail_c8, i));
-    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_tail_c7, i));
-    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_tail_c6, i));
-    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_tail_c5, i));
-    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_tail_c4, i));
-    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_tail_c3, i));
-    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_tail_c2, i));
-    const gs_v c1 = gs_pick(gs_flight_tail_c1, i);
-    const gs_v h = gs_mul(q2, d);
-    const gs_v t = gs_add(c1, h);
-    const gs_v t_rest = gs_rest(c1, h, t);
-    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_flight_tail_c1_lo, i));
-    const gs_v p = gs_mul(d, t);
-    const gs_v p_rest = gs_product_rest(d, t, p);
-    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
-    const gs_v c0 = gs_pick(gs_flight_tail_c0, i);
-    const gs_v s = gs_add(c0, p);
-    const gs_v s_rest = gs_rest(c0, p, s);
-    const gs_v s_lo = gs_add(p_lo, gs_pick(gs_flight_tail_c0_lo, i));
-    const gs_v e = gs_add(s_rest, s_lo);
-    const gs_v r = gs_add(s, e);
-    *lo = gs_rest(s, e, r);
-    return r;
-}
-
-/* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
-static inline gs_v gs_flight_tail_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4108, 50);
-    const gs_v d = gs_sub(x, gs_pick(gs_flight_tail_centre, i));
-    const gs_v q14 = gs_pick(gs_flight_tail_c14, i);
-    const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_tail_c13, i));
-    const gs_v q12 = gs_fma(q13, d, gs_pick(gs_flight_tail_c12, i));
-    const gs_v q11 = gs_fma(q12, d, gs_pick(gs_flight_tail_c11, i));
-    const gs_v q10 = gs_fma(q11, d, gs_pick(gs_flight_tail_c10, i));
-    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_tail_c9, i));
-    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_flight_tail_c8, i));
-    const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_tail_c7, i));
-    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_tail_c6, i));
-    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_tail_c5, i));
-    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_tail_c4, i));
-    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_tail_c3, i));
-    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_tail_c2, i));
-    const gs_v c1 = gs_pick(gs_flight_tail_c1, i);
-    const gs_v h = gs_mul(q2, d);
-    const gs_v t = gs_add(c1, h);
-    const gs_v t_rest = gs_rest(c1, h, t);
-    const gs_v t_lo = gs_add(t_rest, gs_pick(gs_flight_tail_c1_lo, i));
-    const gs_v p = gs_mul(d, t);
-    const gs_v p_rest = gs_product_rest(d, t, p);
-    const gs_v p_lo = gs_fma(d, t_lo, p_rest);
-    const gs_v slope = gs_add(t, h);
-    const gs_v p_all = gs_fma(x_lo, slope, p_lo);
-    const gs_v c0 = gs_pick(gs_flight_tail_c0, i);
-    const gs_v s = gs_add(c0, p);
-    const gs_v s_rest = gs_rest(c0, p, s);
-    const gs_v s_lo = gs_add(p_all, gs_pick(gs_flight_tail_c0_lo, i));
-    const gs_v e = gs_add(s_rest, s_lo);
-    const gs_v r = gs_add(s, e);
-    *lo = gs_rest(s, e, r);
-    return r;
-}
-
 /* x >= 255.0 */
 static inline gs_v gs_flight_factor_far(gs_v x)
 {
@@ -2286,10 +2125,6 @@ static inline gs_v gs_flight_factor_far(gs_v x)
 static GS_RARE gs_v gs_flight_factor_outside(gs_v x, gs_v r, gs_v *lo)
 {
     gs_v tail, rest;
-    const gs_mask here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    tail = gs_flight_tail_near(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), &rest);
-    r = gs_select(here, tail, r);
-    *lo = gs_select(here, rest, *lo);
     const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
     tail = gs_flight_factor_far(gs_select(beyond, x, gs_v_of(0x1.fe00000000000p+7)));
     rest = gs_v_of(0.0);
@@ -2300,7 +2135,7 @@ static GS_RARE gs_v gs_flight_factor_outside(gs_v x, gs_v r, gs_v *lo)
 /* T/(2 b) with T = (1 + b)(1 - exp(-T)): the nearest double but for a little, and the rest. */
 static inline gs_v gs_flight_factor_value(gs_v x, gs_v *lo)
 {
-    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.fe00000000000p+7));
     const gs_v r = gs_flight_factor_near(gs_select(here, x, gs_v_of(0x0.0p+0)), lo);
     return gs_all(here) ? r : gs_flight_factor_outside(x, r, lo);
 }
@@ -6655,14 +6490,9 @@ GS_LOOPS(flight_factor)
 static inline gs_mask gs_flight_factor_is_kind0(gs_v x)
 {
     const gs_v m = x;
-    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.e000000000000p+3));
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.fe00000000000p+7));
 }
 static inline gs_mask gs_flight_factor_is_kind1(gs_v x)
-{
-    const gs_v m = x;
-    return gs_within(m, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-}
-static inline gs_mask gs_flight_factor_is_kind2(gs_v x)
 {
     const gs_v m = x;
     return gs_at_least(m, gs_v_of(0x1.fe00000000000p+7));
@@ -6676,13 +6506,6 @@ static inline gs_v gs_flight_factor_kind0(gs_v x)
 }
 static inline gs_v gs_flight_factor_kind1(gs_v x)
 {
-    gs_v lo;
-    const gs_v m = x;
-    const gs_v r = gs_flight_tail_near(m, &lo);
-    return r;
-}
-static inline gs_v gs_flight_factor_kind2(gs_v x)
-{
     const gs_v m = x;
     const gs_v r = gs_flight_factor_far(m);
     return r;
@@ -6694,29 +6517,24 @@ static inline gs_v gs_flight_factor_any(gs_v x)
 }
 static GS_RARE void gs_flight_factor_mixed(size_t n, const double *x, double *value)
 {
-    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
-    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_load(x + i);
         const gs_mask in1 = gs_flight_factor_is_kind1(v);
-        const gs_mask in2 = gs_flight_factor_is_kind2(v);
-        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        const gs_mask in0 = gs_not(in1);
         length0 = gs_append(part0, length0, in0, v);
         length1 = gs_append(part1, length1, in1, v);
-        length2 = gs_append(part2, length2, in2, v);
     }
     GS_SERVE(gs_flight_factor_any, gs_v_of(0x0.0p+0), part0, length0);
-    GS_SERVE(gs_flight_factor_kind1, gs_v_of(0x1.e000000000000p+3), part1, length1);
-    GS_SERVE(gs_flight_factor_kind2, gs_v_of(0x1.fe00000000000p+7), part2, length2);
+    GS_SERVE(gs_flight_factor_kind1, gs_v_of(0x1.fe00000000000p+7), part1, length1);
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_load(x + i);
         const gs_mask in1 = gs_flight_factor_is_kind1(v);
-        const gs_mask in2 = gs_flight_factor_is_kind2(v);
-        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        const gs_mask in0 = gs_not(in1);
         gs_v r = v;
         r = gs_take(part0, &taken0, in0, r);
         r = gs_take(part1, &taken1, in1, r);
-        r = gs_take(part2, &taken2, in2, r);
         gs_v_store(value + i, r);
     }
 }
@@ -7469,8 +7287,8 @@ GS_BLOCKS(arctan)
 #ifndef GALILEO_LANES_H
 #define GALILEO_LANES_H
 
-/* The primitives of a pair, for the forms that compute with hi + lo: gs_NAME_lanes(x, x_lo, &lo) for vectors inside the
- * domain, gs_NAME_pair(x, x_lo, &lo) for single numbers, NaN beyond it.
+/* The primitives of a pair, for the forms that compute with hi + lo: gs_NAME_rangeN_pair(x, x_lo, &lo) for vectors in
+ * the Nth range, gs_NAME_pair(x, x_lo, &lo) for single numbers, NaN beyond the domain.
  *
  * The result r + lo is the value at x + x_lo, |x_lo| <= ulp(x)/2 (0 where x is infinite), to 2^-57 of it; r is the
  * nearest double but for a little (0.55 ulp), |lo| <= ulp(r)/2. But: where |r| < 2^-922, and for exp_minus from 640 on,
@@ -8158,33 +7976,6 @@ static inline gs_v gs_phi1m_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 #if GS_LANES == 1
 #endif
 
-static GS_RARE gs_v gs_phi1m_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here)) {
-        other = gs_phi1m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here)) {
-        other = gs_phi1m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* (1 - exp(-z))/z, of vectors inside the domain. */
-static inline gs_v gs_phi1m_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
-    const gs_v r = gs_phi1m_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_phi1m_rarely(x, x_lo, r, lo);
-}
-
 /* x in [0.0, 26.25) */
 static inline gs_v gs_phi2m_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
@@ -8239,33 +8030,6 @@ static inline gs_v gs_phi2m_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 #if GS_LANES == 1
 #endif
 
-static GS_RARE gs_v gs_phi2m_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here)) {
-        other = gs_phi2m_range1_pair(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here)) {
-        other = gs_phi2m_range2_pair(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* (z - 1 + exp(-z))/z^2, of vectors inside the domain. */
-static inline gs_v gs_phi2m_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
-    const gs_v r = gs_phi2m_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_phi2m_rarely(x, x_lo, r, lo);
-}
-
 /* x in [0.0, 9.375) */
 static inline gs_v gs_descent_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
@@ -8313,34 +8077,7 @@ static inline gs_v gs_descent_factor_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 #if GS_LANES == 1
 #endif
 
-static GS_RARE gs_v gs_descent_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
-    if (gs_bits_of(here)) {
-        other = gs_descent_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here)) {
-        other = gs_descent_factor_range2_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* tau/p with tau - 1 + exp(-tau) = p^2/2, of vectors inside the domain. */
-static inline gs_v gs_descent_factor_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.2c00000000000p+3));
-    const gs_v r = gs_descent_factor_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_descent_factor_rarely(x, x_lo, r, lo);
-}
-
-/* x in [0.0, 15.0) */
+/* x in [0.0, 255.0) */
 static inline gs_v gs_flight_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     gs_v f_lo;
@@ -8350,18 +8087,8 @@ static inline gs_v gs_flight_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* x in [15.0, 255.0) */
-static inline gs_v gs_flight_factor_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    gs_v f_lo;
-    const gs_v f = gs_flight_tail_near_pair(x, x_lo, &f_lo);
-    const gs_v r = f;
-    *lo = f_lo;
-    return r;
-}
-
 /* x in [255.0, inf] */
-static inline gs_v gs_flight_factor_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
+static inline gs_v gs_flight_factor_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
     const gs_v y_finite = gs_min(x, gs_v_of(0x1.fffffffffffffp+1023));
@@ -8384,33 +8111,6 @@ static inline gs_v gs_flight_factor_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 /* T/(2 b) with T = (1 + b)(1 - exp(-T)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
 #if GS_LANES == 1
 #endif
-
-static GS_RARE gs_v gs_flight_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    if (gs_bits_of(here)) {
-        other = gs_flight_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+3)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    if (gs_bits_of(here)) {
-        other = gs_flight_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* T/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_flight_factor_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+3));
-    const gs_v r = gs_flight_factor_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_flight_factor_rarely(x, x_lo, r, lo);
-}
 
 /* x in [0.0, 7.5) */
 static inline gs_v gs_range_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
@@ -8451,33 +8151,6 @@ static inline gs_v gs_range_factor_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 /* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
 #if GS_LANES == 1
 #endif
-
-static GS_RARE gs_v gs_range_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here)) {
-        other = gs_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here)) {
-        other = gs_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_range_factor_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_range_factor_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_range_factor_rarely(x, x_lo, r, lo);
-}
 
 /* a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
 #if GS_LANES == 1
@@ -8624,39 +8297,6 @@ static inline gs_v gs_max_range_factor_range3_pair(gs_v x, gs_v x_lo, gs_v *lo)
 /* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
 #if GS_LANES == 1
 #endif
-
-static GS_RARE gs_v gs_max_range_factor_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
-    if (gs_bits_of(here)) {
-        other = gs_max_range_factor_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
-    if (gs_bits_of(here)) {
-        other = gs_max_range_factor_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+554)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here)) {
-        other = gs_max_range_factor_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, of vectors inside the domain. */
-static inline gs_v gs_max_range_factor_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_max_range_factor_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_max_range_factor_rarely(x, x_lo, r, lo);
-}
 
 /* 1 + W0(-exp(-1 - x)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
 #if GS_LANES == 1
@@ -8825,33 +8465,6 @@ static inline gs_v gs_range_loss_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 #if GS_LANES == 1
 #endif
 
-static GS_RARE gs_v gs_range_loss_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here)) {
-        other = gs_range_loss_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here)) {
-        other = gs_range_loss_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* the slope of range_factor, negative, of vectors inside the domain. */
-static inline gs_v gs_range_loss_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_range_loss_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_range_loss_rarely(x, x_lo, r, lo);
-}
-
 /* x in [0.0, 7.5) */
 static inline gs_v gs_grown_balance_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
@@ -8900,39 +8513,6 @@ static inline gs_v gs_grown_balance_range3_pair(gs_v x, gs_v x_lo, gs_v *lo)
 /* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
 #if GS_LANES == 1
 #endif
-
-static GS_RARE gs_v gs_grown_balance_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here)) {
-        other = gs_grown_balance_range1_pair(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here)) {
-        other = gs_grown_balance_range2_pair(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here)) {
-        other = gs_grown_balance_range3_pair(gs_select(here, x, gs_v_of(INFINITY)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_grown_balance_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_grown_balance_range0_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_grown_balance_rarely(x, x_lo, r, lo);
-}
 
 /* x in [0.28125, 1.2676506002282294e+30) */
 static inline gs_v gs_acot_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
@@ -8995,38 +8575,13 @@ static inline gs_v gs_acot_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 #if GS_LANES == 1
 #endif
 
-static GS_RARE gs_v gs_acot_rarely(gs_v x, gs_v x_lo, gs_v r, gs_v *lo)
-{
-    gs_mask here;
-    gs_v other, rest;
-    here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
-    if (gs_bits_of(here)) {
-        other = gs_acot_range1_pair(gs_select(here, x, gs_v_of(0x0.0p+0)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
-    if (gs_bits_of(here)) {
-        other = gs_acot_range2_pair(gs_select(here, x, gs_v_of(0x1.0000000000000p+100)), gs_select(here, x_lo, gs_v_of(0.0)), &rest);
-        r = gs_select(here, other, r);
-        *lo = gs_select(here, rest, *lo);
-    }
-    return r;
-}
-
-/* the angle in [0, pi/2] whose cotangent is x, of vectors inside the domain. */
-static inline gs_v gs_acot_lanes(gs_v x, gs_v x_lo, gs_v *lo)
-{
-    const gs_mask here = gs_within(x, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
-    const gs_v r = gs_acot_range0_pair(gs_select(here, x, gs_v_of(0x1.2000000000000p-2)), gs_select(here, x_lo, gs_v_of(0.0)), lo);
-    return gs_all(here) ? r : gs_acot_rarely(x, x_lo, r, lo);
-}
-
 /* w with w + log(w) = y, y below 2^17, at x + x_lo, |x_lo| no more than half an ulp of x: the nearest double but for a little, and the rest. */
 #if GS_LANES == 1
 #endif
 
 #endif
+
+#define GS_GROUP 8 /* vectors that one loop leaves to the next: some kilobytes */
 
 typedef struct {
     gs_v hi, lo;
@@ -9080,6 +8635,19 @@ static inline gs_v gs_vp_value(gs_vp a) { return gs_add(a.hi, a.lo); }
 static inline gs_vp gs_vp_load(gs_v x) { return gs_vp_of(x, gs_v_of(0.0)); }
 static inline gs_vp gs_vp_constant(double x) { return gs_vp_of(gs_v_of(x), gs_v_of(0.0)); }
 
+/* Products and quotients of doubles, of pairs, and of a pair by a double. */
+static inline gs_vp gs_vp_product(gs_v a, gs_v b)
+{
+    const gs_v p = gs_mul(a, b);
+    return gs_vp_of(p, gs_product_rest(a, b, p));
+}
+
+static inline gs_vp gs_vp_times(gs_vp a, gs_v b)
+{
+    const gs_v p = gs_mul(a.hi, b);
+    return gs_vp_of(p, gs_fma(a.lo, b, gs_product_rest(a.hi, b, p)));
+}
+
 static inline gs_vp gs_vp_mul(gs_vp a, gs_vp b)
 {
     const gs_v p = gs_mul(a.hi, b.hi);
@@ -9093,6 +8661,20 @@ static inline gs_vp gs_vp_div(gs_vp a, gs_vp b)
     const gs_v q = gs_mul(a.hi, inverse);
     const gs_v rest = gs_fnma(q, b.lo, gs_add(gs_fnma(q, b.hi, a.hi), a.lo));
     return gs_vp_of(q, gs_mul(rest, inverse));
+}
+
+static inline gs_vp gs_vp_over(gs_vp a, gs_v b)
+{
+    const gs_v inverse = gs_div(gs_v_of(1.0), b);
+    const gs_v q = gs_mul(a.hi, inverse);
+    return gs_vp_of(q, gs_mul(gs_add(gs_fnma(q, b, a.hi), a.lo), inverse));
+}
+
+static inline gs_vp gs_vp_quotient(gs_v a, gs_v b)
+{
+    const gs_v inverse = gs_div(gs_v_of(1.0), b);
+    const gs_v q = gs_mul(a, inverse);
+    return gs_vp_of(q, gs_mul(gs_fnma(q, b, a), inverse));
 }
 
 static inline gs_vp gs_vp_sqrt(gs_vp a)
@@ -9110,8 +8692,9 @@ static inline gs_vp gs_vp_add(gs_vp a, gs_vp b)
 
 static inline gs_vp gs_vp_sub(gs_vp a, gs_vp b)
 {
-    const gs_v minus = gs_v_of(-1.0);
-    return gs_vp_add(a, gs_vp_of(gs_mul(b.hi, minus), gs_mul(b.lo, minus)));
+    const gs_v s = gs_sub(a.hi, b.hi), part = gs_sub(s, a.hi);
+    const gs_v rest = gs_sub(gs_sub(a.hi, gs_sub(s, part)), gs_add(b.hi, part));
+    return gs_vp_sum(s, gs_add(rest, gs_sub(a.lo, b.lo)));
 }
 
 static inline gs_vp gs_vp_scaled(gs_vp a, double unit)
@@ -9119,69 +8702,578 @@ static inline gs_vp gs_vp_scaled(gs_vp a, double unit)
     return gs_vp_of(gs_mul(a.hi, gs_v_of(unit)), gs_mul(a.lo, gs_v_of(unit)));
 }
 
-static inline gs_vp gs_vp_phi1m(gs_vp x)
+/* The numbers of a group that are put aside, side by side, with their places in it. */
+typedef struct {
+    double hi[(GS_GROUP + 1) * GS_LANES], lo[(GS_GROUP + 1) * GS_LANES], place[(GS_GROUP + 1) * GS_LANES];
+    size_t count;
+} gs_aside;
+
+/* The lanes of a mask, side by side; there is room for a whole vector. */
+static inline size_t gs_compress(double *to, gs_mask lanes, gs_v x)
 {
-    gs_vp r;
-    r.hi = gs_phi1m_lanes(x.hi, x.lo, &r.lo);
-    return r;
+    double each[GS_LANES];
+    size_t count = 0;
+    gs_v_store(each, x);
+    for (size_t j = 0; j < GS_LANES; j++) {
+        to[count] = each[j];
+        count += gs_bits_of(lanes) >> j & 1;
+    }
+    return count;
 }
 
-static inline gs_vp gs_vp_phi2m(gs_vp x)
+/* Put lanes of the ith vector of a group aside. */
+static inline void gs_s_put_aside(gs_aside *aside, gs_mask lanes, size_t i, gs_v x)
 {
-    gs_vp r;
-    r.hi = gs_phi2m_lanes(x.hi, x.lo, &r.lo);
-    return r;
+    static const double number[8] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+    const gs_v place = gs_add(gs_v_load(number), gs_v_of((double)(i * GS_LANES)));
+    gs_compress(aside->place + aside->count, lanes, place);
+    aside->count += gs_compress(aside->hi + aside->count, lanes, x);
+}
+static inline void gs_vp_put_aside(gs_aside *aside, gs_mask lanes, size_t i, gs_vp x)
+{
+    gs_compress(aside->lo + aside->count, lanes, x.lo);
+    gs_s_put_aside(aside, lanes, i, x.hi);
 }
 
+/* How many there are, after the last vector is filled up with copies. */
+static inline size_t gs_s_filled(gs_aside *aside)
+{
+    for (size_t j = aside->count; j % GS_LANES != 0; j++)
+        aside->hi[j] = aside->hi[aside->count - 1];
+    return aside->count;
+}
+static inline size_t gs_vp_filled(gs_aside *aside)
+{
+    for (size_t j = aside->count; j % GS_LANES != 0; j++)
+        aside->lo[j] = aside->lo[aside->count - 1];
+    return gs_s_filled(aside);
+}
+static inline gs_v gs_s_aside(const gs_aside *aside, size_t i) { return gs_v_load(aside->hi + i); }
+static inline gs_vp gs_vp_aside(const gs_aside *aside, size_t i)
+{
+    return gs_vp_of(gs_v_load(aside->hi + i), gs_v_load(aside->lo + i));
+}
+static inline void gs_s_put(gs_aside *aside, size_t i, gs_v x) { gs_v_store(aside->hi + i, x); }
+static inline void gs_vp_put(gs_aside *aside, size_t i, gs_vp x)
+{
+    gs_v_store(aside->hi + i, x.hi);
+    gs_v_store(aside->lo + i, x.lo);
+}
+
+/* Back to their places in the group. */
+static inline void gs_s_put_back(const gs_aside *aside, gs_v *value)
+{
+    for (size_t k = 0; k < aside->count; k++)
+        ((double *)value)[(size_t)aside->place[k]] = aside->hi[k];
+}
+static inline void gs_vp_put_back(const gs_aside *aside, gs_vp *value)
+{
+    for (size_t k = 0; k < aside->count; k++) {
+        const size_t place = (size_t)aside->place[k];
+        ((double *)&value[place / GS_LANES].hi)[place % GS_LANES] = aside->hi[k];
+        ((double *)&value[place / GS_LANES].lo)[place % GS_LANES] = aside->lo[k];
+    }
+}
+
+static inline gs_vp gs_vp_select(gs_mask m, gs_vp a, gs_vp b)
+{
+    return gs_vp_of(gs_select(m, a.hi, b.hi), gs_select(m, a.lo, b.lo));
+}
+
+static inline gs_vp gs_vp_phi1m_served0(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_phi1m_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_phi1m_served1(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.a400000000000p+4), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_phi1m_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_phi1m_served2(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.be40000000000p+8), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_phi1m_range2_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static GS_RARE void gs_vp_phi1m_aside(gs_aside *aside)
+{
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_within(x.hi, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_phi1m_served1(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_phi1m_served2(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
+}
+/* (1 - exp(-z))/z, of numbers inside the domain. */
+static inline void gs_vp_phi1m_each(size_t block, const gs_vp *x, gs_vp *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.a400000000000p+4));
+        value[i] = gs_vp_phi1m_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_phi1m_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
+}
+static inline gs_vp gs_vp_phi2m_served0(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_phi2m_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_phi2m_served1(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.a400000000000p+4), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_phi2m_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_phi2m_served2(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.be40000000000p+8), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_phi2m_range2_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static GS_RARE void gs_vp_phi2m_aside(gs_aside *aside)
+{
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_within(x.hi, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_phi2m_served1(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_phi2m_served2(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
+}
+/* (z - 1 + exp(-z))/z^2, of numbers inside the domain. */
+static inline void gs_vp_phi2m_each(size_t block, const gs_vp *x, gs_vp *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.a400000000000p+4));
+        value[i] = gs_vp_phi2m_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_phi2m_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
+}
+static inline gs_vp gs_vp_descent_factor_served0(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_descent_factor_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_descent_factor_served1(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.2c00000000000p+3), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_descent_factor_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_descent_factor_served2(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(INFINITY), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_descent_factor_range2_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static GS_RARE void gs_vp_descent_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_at_least(x.hi, gs_v_of(0x1.2c00000000000p+3));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_descent_factor_served1(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_descent_factor_served2(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
+}
+/* tau/p with tau - 1 + exp(-tau) = p^2/2, of numbers inside the domain. */
+static inline void gs_vp_descent_factor_each(size_t block, const gs_vp *x, gs_vp *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.2c00000000000p+3));
+        value[i] = gs_vp_descent_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_descent_factor_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
+}
 static inline gs_vp gs_vp_descent_factor(gs_vp x)
 {
-    gs_vp r;
-    r.hi = gs_descent_factor_lanes(x.hi, x.lo, &r.lo);
-    return r;
+    gs_vp value;
+    gs_vp_descent_factor_each(1, &x, &value);
+    return value;
 }
 
-static inline gs_vp gs_vp_flight_factor(gs_vp x)
+static inline gs_vp gs_vp_flight_factor_served0(gs_mask here, gs_vp x)
 {
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
     gs_vp r;
-    r.hi = gs_flight_factor_lanes(x.hi, x.lo, &r.lo);
+    r.hi = gs_flight_factor_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
     return r;
 }
-
-static inline gs_vp gs_vp_range_factor(gs_vp x)
+static inline gs_vp gs_vp_flight_factor_served1(gs_mask here, gs_vp x)
 {
+    const gs_v least = gs_v_of(0x1.fe00000000000p+7), zero = gs_v_of(0.0);
     gs_vp r;
-    r.hi = gs_range_factor_lanes(x.hi, x.lo, &r.lo);
+    r.hi = gs_flight_factor_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
     return r;
 }
-
-static inline gs_vp gs_vp_range_loss(gs_vp x)
+static GS_RARE void gs_vp_flight_factor_aside(gs_aside *aside)
 {
-    gs_vp r;
-    r.hi = gs_range_loss_lanes(x.hi, x.lo, &r.lo);
-    return r;
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_at_least(x.hi, gs_v_of(0x1.fe00000000000p+7));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_flight_factor_served1(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
 }
-
-static inline gs_vp gs_vp_grown_balance(gs_vp x)
+/* T/(2 b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_vp_flight_factor_each(size_t block, const gs_vp *x, gs_vp *value)
 {
-    gs_vp r;
-    r.hi = gs_grown_balance_lanes(x.hi, x.lo, &r.lo);
-    return r;
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.fe00000000000p+7));
+        value[i] = gs_vp_flight_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_flight_factor_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
 }
-
-static inline gs_vp gs_vp_max_range_factor(gs_vp x)
+static inline gs_vp gs_vp_range_factor_served0(gs_mask here, gs_vp x)
 {
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
     gs_vp r;
-    r.hi = gs_max_range_factor_lanes(x.hi, x.lo, &r.lo);
+    r.hi = gs_range_factor_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
     return r;
 }
-
-static inline gs_vp gs_vp_acot(gs_vp x)
+static inline gs_vp gs_vp_range_factor_served1(gs_mask here, gs_vp x)
 {
+    const gs_v least = gs_v_of(0x1.e000000000000p+2), zero = gs_v_of(0.0);
     gs_vp r;
-    r.hi = gs_acot_lanes(x.hi, x.lo, &r.lo);
+    r.hi = gs_range_factor_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
     return r;
 }
-
+static inline gs_vp gs_vp_range_factor_served2(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.fe00000000000p+6), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_range_factor_range2_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static GS_RARE void gs_vp_range_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_within(x.hi, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_range_factor_served1(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_range_factor_served2(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
+}
+/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_vp_range_factor_each(size_t block, const gs_vp *x, gs_vp *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_vp_range_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_range_factor_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
+}
+static inline gs_vp gs_vp_range_loss_served0(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_range_loss_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_range_loss_served1(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.e000000000000p+2), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_range_loss_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_range_loss_served2(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.fe00000000000p+6), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_range_loss_range2_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static GS_RARE void gs_vp_range_loss_aside(gs_aside *aside)
+{
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_within(x.hi, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_range_loss_served1(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_range_loss_served2(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
+}
+/* the slope of range_factor, negative, of numbers inside the domain. */
+static inline void gs_vp_range_loss_each(size_t block, const gs_vp *x, gs_vp *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_vp_range_loss_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_range_loss_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
+}
+static inline gs_vp gs_vp_grown_balance_served0(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_grown_balance_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_grown_balance_served1(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.e000000000000p+2), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_grown_balance_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_grown_balance_served2(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.fe00000000000p+6), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_grown_balance_range2_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_grown_balance_served3(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(INFINITY), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_grown_balance_range3_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static GS_RARE void gs_vp_grown_balance_aside(gs_aside *aside)
+{
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_within(x.hi, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_grown_balance_served1(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_grown_balance_served2(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_grown_balance_served3(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
+}
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_vp_grown_balance_each(size_t block, const gs_vp *x, gs_vp *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_vp_grown_balance_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_grown_balance_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
+}
+static inline gs_vp gs_vp_max_range_factor_served0(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_max_range_factor_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_max_range_factor_served1(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.e000000000000p+2), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_max_range_factor_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_max_range_factor_served2(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.0000000000000p+554), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_max_range_factor_range2_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_max_range_factor_served3(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(INFINITY), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_max_range_factor_range3_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static GS_RARE void gs_vp_max_range_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_within(x.hi, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_max_range_factor_served1(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(0x1.0000000000000p+554));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_max_range_factor_served2(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_max_range_factor_served3(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
+}
+/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, of numbers inside the domain. */
+static inline void gs_vp_max_range_factor_each(size_t block, const gs_vp *x, gs_vp *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_vp_max_range_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_max_range_factor_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
+}
+static inline gs_vp gs_vp_acot_served0(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.2000000000000p-2), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_acot_range0_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_acot_served1(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x0.0p+0), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_acot_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static inline gs_vp gs_vp_acot_served2(gs_mask here, gs_vp x)
+{
+    const gs_v least = gs_v_of(0x1.0000000000000p+100), zero = gs_v_of(0.0);
+    gs_vp r;
+    r.hi = gs_acot_range2_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
+    return r;
+}
+static GS_RARE void gs_vp_acot_aside(gs_aside *aside)
+{
+    const size_t filled = gs_vp_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_vp x = gs_vp_aside(aside, i);
+        gs_vp r = x;
+        gs_mask here;
+        here = gs_less(x.hi, gs_v_of(0x1.2000000000000p-2));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_acot_served1(here, x), r);
+        here = gs_at_least(x.hi, gs_v_of(0x1.0000000000000p+100));
+        if (gs_bits_of(here))
+            r = gs_vp_select(here, gs_vp_acot_served2(here, x), r);
+        gs_vp_put(aside, i, r);
+    }
+}
+/* the angle in [0, pi/2] whose cotangent is x, of numbers inside the domain. */
+static inline void gs_vp_acot_each(size_t block, const gs_vp *x, gs_vp *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_within(x[i].hi, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
+        value[i] = gs_vp_acot_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_vp_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_vp_acot_aside(&aside);
+        gs_vp_put_back(&aside, value);
+    }
+}
 #define GS_QUARTER_TURN 0x1.921fb54442d18p-1
 #define GS_HALF_TURN_0 0x1.921fb54442d18p+0
 #define GS_HALF_TURN_1 0x1.1a62633145c07p-54
@@ -9213,50 +9305,89 @@ GS_TABLE(gs_turn_cosine_lo) = {
     -0x1.76236434bec37p-55, -0x1.7e793b55ea6a2p-55, 0x1.b7bd71628a9a1p-55, -0x1.6e9a5f4ff5b7dp-59,
     -0x1.68dbaeca19669p-55, 0x1.02c6f2978af1dp-55, -0x1.152cf609bc6e8p-59, -0x1.5c7ee90b400a9p-55
 };
-/* Sine and cosine by the nearest of 16 angles up to pi/4, about 2^-62 relative. */
-static inline gs_turn gs_vp_angle(gs_v theta)
+/* |theta|, or what it lacks of pi/2 if that is less (far), as the nearest of 16 angles and d + x_lo beyond it. */
+typedef struct {
+    gs_vp s, c;          /* of the nearest angle */
+    gs_v d, over, less;  /* sin(d + x_lo) - d, cos(d + x_lo) - 1 */
+    gs_mask far;
+} gs_near_angle;
+
+static inline gs_near_angle gs_vp_near_angle(gs_v theta)
 {
     const gs_v size = gs_abs(theta), zero = gs_v_of(0.0), big = gs_v_of(0x1.8p+52);
     const gs_mask far = gs_at_least(size, gs_v_of(GS_QUARTER_TURN));
-    const gs_v left = gs_sub(gs_v_of(GS_HALF_TURN_0), size);
+    const gs_v left = gs_sub(gs_v_of(GS_HALF_TURN_0), size); /* 0, or above the second part of pi/2 */
     const gs_v y = gs_add(left, gs_v_of(GS_HALF_TURN_1));
-    const gs_v y_lo = gs_add(gs_sum_rest(left, gs_v_of(GS_HALF_TURN_1), y), gs_v_of(GS_HALF_TURN_2));
+    const gs_v y_lo = gs_add(gs_rest(left, gs_v_of(GS_HALF_TURN_1), y), gs_v_of(GS_HALF_TURN_2));
     const gs_v x = gs_select(far, y, size), x_lo = gs_select(far, y_lo, zero);
     const gs_v u = gs_fma(x, gs_v_of(GS_TURNS_A_RADIAN), big);
     const gs_index i = gs_low_index(u);
     const gs_v d = gs_fnma(gs_sub(u, big), gs_v_of(GS_TURN_STEP), x);
-    const gs_v s = gs_pick(gs_turn_sine, i), s_lo = gs_pick(gs_turn_sine_lo, i);
-    const gs_v c = gs_pick(gs_turn_cosine, i), c_lo = gs_pick(gs_turn_cosine_lo, i);
     const gs_v q = gs_fma(d, d, gs_mul(gs_add(d, d), x_lo));
     gs_v more = gs_fma(q, gs_v_of(0x1.71de3a556c734p-19), gs_v_of(-0x1.a01a01a01a01ap-13));
     more = gs_fma(more, q, gs_v_of(0x1.1111111111111p-7));
     more = gs_mul(gs_fma(more, q, gs_v_of(-0x1.5555555555555p-3)), q);
-    const gs_v over = gs_fma(d, more, x_lo); /* sin(d + x_lo) - d */
     gs_v less = gs_fma(q, gs_v_of(0x1.a01a01a01a01ap-16), gs_v_of(-0x1.6c16c16c16c17p-10));
     less = gs_fma(less, q, gs_v_of(0x1.5555555555555p-5));
-    less = gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q); /* cos(d + x_lo) - 1 */
-    const gs_v p = gs_mul(c, d), m = gs_mul(s, d);
-    const gs_v h = gs_add(s, p), k = gs_sub(c, m);
-    const gs_v h_lo = gs_add(gs_rest(s, p, h), gs_product_rest(c, d, p));
-    const gs_v k_lo = gs_sub(gs_sub(gs_sub(c, k), m), gs_product_rest(s, d, m));
-    const gs_v h_more = gs_fma(s, less, gs_fma(c, over, gs_fma(c_lo, d, s_lo)));
-    const gs_v k_more = gs_fma(c, less, gs_fnma(s, over, gs_fnma(s_lo, d, c_lo)));
-    const gs_vp sine = gs_vp_sum(h, gs_add(h_lo, h_more)), cosine = gs_vp_sum(k, gs_add(k_lo, k_more));
-    const gs_turn r = {
-        {gs_select(far, cosine.hi, sine.hi), gs_select(far, cosine.lo, sine.lo)},
-        {gs_select(far, sine.hi, cosine.hi), gs_select(far, sine.lo, cosine.lo)},
-        theta,
+    less = gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q);
+    const gs_near_angle r = {
+        {gs_pick(gs_turn_sine, i), gs_pick(gs_turn_sine_lo, i)},
+        {gs_pick(gs_turn_cosine, i), gs_pick(gs_turn_cosine_lo, i)},
+        d,
+        gs_fma(d, more, x_lo),
+        less,
+        far,
     };
     return r;
+}
+
+/* a cos(d + x_lo) + b sin(d + x_lo), about 2^-62 relative, where |a| >= |b d| or a = 0. */
+static inline gs_vp gs_vp_beside(gs_vp a, gs_vp b, gs_v d, gs_v over, gs_v less)
+{
+    const gs_v p = gs_mul(b.hi, d);
+    const gs_v h = gs_add(a.hi, p);
+    const gs_v h_lo = gs_add(gs_rest(a.hi, p, h), gs_product_rest(b.hi, d, p));
+    return gs_vp_sum(h, gs_add(h_lo, gs_fma(a.hi, less, gs_fma(b.hi, over, gs_fma(b.lo, d, a.lo)))));
+}
+
+static inline gs_v gs_minus(gs_v a) { return gs_sub(gs_v_of(0.0), a); }
+
+static inline gs_turn gs_vp_angle(gs_v theta)
+{
+    const gs_near_angle t = gs_vp_near_angle(theta);
+    const gs_vp sine = gs_vp_beside(t.s, t.c, t.d, t.over, t.less);
+    const gs_vp cosine = gs_vp_beside(t.c, t.s, gs_minus(t.d), gs_minus(t.over), t.less);
+    const gs_turn r = {gs_vp_select(t.far, cosine, sine), gs_vp_select(t.far, sine, cosine), theta};
+    return r;
+}
+
+/* One of both: the cosine of the step if crossed. */
+static inline gs_vp gs_vp_one(gs_near_angle t, gs_mask crossed)
+{
+    const gs_v d = gs_select(crossed, gs_minus(t.d), t.d), over = gs_select(crossed, gs_minus(t.over), t.over);
+    return gs_vp_beside(gs_vp_select(crossed, t.c, t.s), gs_vp_select(crossed, t.s, t.c), d, over, t.less);
+}
+
+static inline gs_vp gs_vp_sine_of(gs_v theta)
+{
+    const gs_near_angle t = gs_vp_near_angle(theta);
+    const gs_vp r = gs_vp_one(t, t.far);
+    return gs_vp_of(gs_flip(r.hi, theta), gs_flip(r.lo, theta));
+}
+
+static inline gs_vp gs_vp_cosine_of(gs_v theta)
+{
+    const gs_near_angle t = gs_vp_near_angle(theta);
+    return gs_vp_one(t, gs_not(t.far));
 }
 
 static inline gs_vp gs_vp_sine(gs_turn a) { return gs_vp_of(gs_flip(a.s.hi, a.sign), gs_flip(a.s.lo, a.sign)); }
 static inline gs_vp gs_vp_cosine(gs_turn a) { return a.c; }
 
 /* cos(theta) - mu sin(|theta|), where it is 2^-5 of the cosine or more; 1 where friction holds the bead. */
-static inline gs_vp gs_vp_driving(gs_turn a, gs_vp mu, gs_mask *good, gs_mask *held)
+static inline gs_vp gs_vp_driving(gs_turn a, gs_v mu, gs_mask *good, gs_mask *held)
 {
-    const gs_vp n = gs_vp_sub(a.c, gs_vp_mul(mu, a.s));
+    const gs_vp n = gs_vp_sub(a.c, gs_vp_times(a.s, mu));
     const gs_v one = gs_v_of(1.0), zero = gs_v_of(0.0);
     const gs_mask clear = gs_at_least(gs_abs(n.hi), gs_mul(a.c.hi, gs_v_of(0x1p-5)));
     const gs_mask moves = gs_both(clear, gs_less(zero, n.hi));
@@ -9273,12 +9404,6 @@ static inline gs_vp gs_vp_phi0m(gs_vp z, gs_mask *good)
     *good = gs_both(*good, here);
     r.hi = gs_exp_minus_range0_pair(gs_select(here, z.hi, gs_v_of(0.0)), gs_select(here, z.lo, gs_v_of(0.0)), &r.lo);
     return r;
-}
-
-/* b exp(-T)/(T - b), T = (1 + b)(1 - exp(-T)): exp(-b) times what grows like b/e. */
-static inline gs_vp gs_vp_range_balance(gs_vp b, gs_mask *good)
-{
-    return gs_vp_mul(gs_vp_phi0m(b, good), gs_vp_grown_balance(b));
 }
 
 #endif
@@ -9641,66 +9766,80 @@ static inline gs_v gs_descent_factor_lean(gs_v x)
 }
 
 GS_TABLE(gs_flight_factor_lean0) = {
-    0x1.0000000000000p+0, 0x1.cc984a98863f2p-1, 0x1.b40dc266739a2p-1, 0x1.a067e9091713dp-1,
-    0x1.8941ce2c64e25p-1, 0x1.72474a4528b73p-1, 0x1.6130815ba1e0dp-1, 0x1.540b06a25919bp-1,
-    0x1.4549df6beba4cp-1, 0x1.379497341c568p-1, 0x1.2e1609a23c530p-1, 0x1.273876acb52a2p-1,
-    0x1.1ff6e420637afp-1, 0x1.1998655083cc7p-1, 0x1.15552c3ffae10p-1, 0x1.12491f1297d1dp-1
+    0x1.0000000000000p+0, 0x1.a9b7e4077da87p-1, 0x1.7cdc9c677ef25p-1, 0x1.5a357cff17628p-1,
+    0x1.3dc46e7b8fbbbp-1, 0x1.2a647efc19859p-1, 0x1.1c6e78691c81ep-1, 0x1.13b12c0d89638p-1,
+    0x1.0d794354ff4d8p-1, 0x1.097b425ecfcdep-1, 0x1.0690690690690p-1, 0x1.04a7904a7904ap-1,
+    0x1.033d91d2a2068p-1, 0x1.024e6a171024ep-1, 0x1.019c2d14ee4a1p-1, 0x1.0125e22708093p-1
 };
 GS_TABLE(gs_flight_factor_lean1) = {
-    -0x1.555555551e4dcp-2, -0x1.ba28e94244fa3p-3, -0x1.5cf9cd74d3b92p-3, -0x1.1b4cf7e2d5635p-3,
-    -0x1.ae8876178c56cp-4, -0x1.39d4f6afd669cp-4, -0x1.dc04099b668d1p-5, -0x1.736334b4833bbp-5,
-    -0x1.0a1d774d4b320p-5, -0x1.682ca35c9b04ep-6, -0x1.ff265aadb1f64p-7, -0x1.7908b7c97454fp-7,
-    -0x1.fb60b7492be4dp-8, -0x1.4712829c0e8fap-8, -0x1.c6f318b80c50fp-9, -0x1.4e58840bee749p-9
+    -0x1.555555551aec0p-2, -0x1.397b760a77dedp-3, -0x1.6d68f7348eb9bp-4, -0x1.a32e8f0562b77p-5,
+    -0x1.b2ea6551b4577p-6, -0x1.b50db538d52a2p-7, -0x1.92ded5a2a3254p-8, -0x1.83ba5c56e9889p-9,
+    -0x1.6b147e05556b2p-10, -0x1.67980e0921a4ap-11, -0x1.58b31513259a0p-12, -0x1.5aa2fe64a655ep-13,
+    -0x1.5007382f97c48p-14, -0x1.546b4b91a1ceep-15, -0x1.4bd091aefae9ep-16, -0x1.515f7521922bep-17
 };
 GS_TABLE(gs_flight_factor_lean2) = {
-    0x1.c71c70ea9b395p-3, 0x1.c1390707da636p-4, 0x1.34b3490b75442p-4, 0x1.be725e24c6186p-5,
-    0x1.261bf07f6f226p-5, 0x1.710322b85b4f4p-6, 0x1.f0e424a444f5bp-7, 0x1.5f68063f5dd39p-7,
-    0x1.bd96028811dc3p-8, 0x1.06e0931882e19p-8, 0x1.49c7cce472c4bp-9, 0x1.b0d95983d0da0p-10,
-    0x1.ed291a10f206ap-11, 0x1.03afa932729e4p-11, 0x1.2ec1aacc1ec4ep-12, 0x1.7df5e47cc9882p-13
+    0x1.c71c711029314p-3, 0x1.05142dc850c20p-4, 0x1.ccf6c25260736p-6, 0x1.9fb6069c2b1f2p-7,
+    0x1.531b70e4cf616p-8, 0x1.09cf397466390p-9, 0x1.60ced3173ec3bp-11, 0x1.dccd1c50d5f7bp-13,
+    0x1.31bfe3eecebf9p-14, 0x1.aa2f78bf85c95p-16, 0x1.1ad49492fdde9p-17, 0x1.935beb831555fp-19,
+    0x1.1039b260e2a58p-20, 0x1.888e2da104644p-22, 0x1.0b1f0ca02f6d3p-23, 0x1.834c4ac4f5dd7p-25
 };
 GS_TABLE(gs_flight_factor_lean3) = {
-    -0x1.4dbf3da2ff131p-3, -0x1.e6eb545e0587ap-5, -0x1.1db84c4abebd1p-5, -0x1.692e23c16488fp-6,
-    -0x1.918fea9d90856p-7, -0x1.a39e05d2dc964p-8, -0x1.e7f40ef8923c9p-9, -0x1.323df4a01278bp-9,
-    -0x1.5135ca76e30eep-10, -0x1.59cb7fce21ff2p-11, -0x1.84bf2fa8b36afp-12, -0x1.cf7343b1040c5p-13,
-    -0x1.cc8333ad051bcp-14, -0x1.9624c9e7f8e2dp-15, -0x1.910a917aac737p-16, -0x1.b3cb0a7811649p-17
+    -0x1.4dbf56ed81702p-3, -0x1.c2b3dd4bbdca7p-6, -0x1.1dad1de3d650ap-7, -0x1.7f6da7c9b344fp-9,
+    -0x1.dbf7e79d4645fp-11, -0x1.2a56567c3fc4ep-12, -0x1.2d380c227aedep-14, -0x1.246eacdcdc67ap-16,
+    -0x1.01767a5bc71fbp-18, -0x1.f91bcddab39dcp-21, -0x1.d021aed2e1b8ep-23, -0x1.d55cfe0730babp-25,
+    -0x1.b912dfef6a064p-27, -0x1.c4ad2c70a3977p-29, -0x1.ae14f05da4eb3p-31, -0x1.bc9c74c92a8d9p-33
 };
 GS_TABLE(gs_flight_factor_lean4) = {
-    0x1.06eab4a0b4317p-3, 0x1.19c85051e3a36p-5, 0x1.1941fbe81a7cap-6, 0x1.356c3dc7d192fp-7,
-    0x1.200bfb3d479cbp-8, 0x1.ee9a3b930ce6fp-10, 0x1.e80e2021e7957p-11, 0x1.0a4d6d88bd358p-11,
-    0x1.ed3846f87b2bfp-13, 0x1.a9100570bc1bcp-14, 0x1.a61548e4ee41cp-15, 0x1.ca5a38c8710d1p-16,
-    0x1.9590211267a59p-17, 0x1.3484fd8fdd2d8p-18, 0x1.069e49815db2fp-19, 0x1.ef5c5d1405d6ep-21
+    0x1.06ef1d626bfc9p-3, 0x1.9ce1373fe215ap-7, 0x1.71b836d64eb2fp-9, 0x1.649f5e45cca25p-11,
+    0x1.3cc61ef8784e9p-13, 0x1.3450f70476153p-15, 0x1.ecdc545d14876p-18, 0x1.6456c34b94becp-20,
+    0x1.b18b3fe817881p-23, 0x1.2b52d19934796p-25, 0x1.7cd36e9fd7248p-28, 0x1.111585d5a3556p-30,
+    0x1.65535770f175ap-33, 0x1.0500ad3a06af1p-35, 0x1.5a3ab7d7764b3p-38, 0x1.fe67d79321ed2p-41
 };
 GS_TABLE(gs_flight_factor_lean5) = {
-    -0x1.b043fcbe756b2p-4, -0x1.544eb7991955ep-6, -0x1.20a1e95b0defcp-7, -0x1.1437f34c2d325p-8,
-    -0x1.ae821cc3edab8p-10, -0x1.2fd1d1a33c509p-11, -0x1.fc88595e9a331p-13, -0x1.e0ccda24af2f0p-14,
-    -0x1.7131c3eaa24a1p-15, -0x1.0299ae1680753p-16, -0x1.b5eb2d9ac743bp-18, -0x1.a81e44d160c2cp-19,
-    -0x1.4daaa5e64b77cp-20, -0x1.c07b7e71f6cbep-22, -0x1.50a54af473112p-23, -0x1.1724b8d625117p-24
+    -0x1.b0ed34a52f240p-4, -0x1.8a34cea081e73p-8, -0x1.f2aecdbe30134p-11, -0x1.591d8f96a518bp-13,
+    -0x1.a91d4b36f1172p-16, -0x1.2c9b4553d74c6p-18, -0x1.7cc996bf45551p-21, -0x1.ac44874950778p-24,
+    -0x1.6ce4bea795de8p-27, -0x1.62c2056af391cp-30, -0x1.388108d36f794p-33, -0x1.3dc63eea31577p-36,
+    -0x1.218181a449134p-39, -0x1.2cfabdff4d576p-42, -0x1.16c01f9a9d385p-45, -0x1.24f8b52573ca7p-48
 };
 GS_TABLE(gs_flight_factor_lean6) = {
-    0x1.65d04b4b41979p-4, 0x1.a6fbc08266ca8p-7, 0x1.3089a86a922d6p-8, 0x1.faa30a4a13318p-10,
-    0x1.4a5215c0ecbdep-11, 0x1.7f4c73a91c530p-13, 0x1.109a3423e780cp-14, 0x1.c04039eeb0c10p-16,
-    0x1.1f2221f65a41bp-17, 0x1.459660a1b194ep-19, 0x1.c9b884fbf94f3p-21, 0x1.7d46f4a2da700p-22,
-    0x1.02431ea3dc2e7p-23, 0x1.344f07a4a8e9ap-25, 0x1.a15720b5a12b7p-27, 0x1.35a2a78a3257cp-28
+    0x1.6c4ad2b38bbdbp-4, 0x1.82cbe7db81392p-9, 0x1.5937f47d0b3dbp-12, 0x1.58364e1ce50eap-15,
+    0x1.288313807825bp-18, 0x1.21e0f2f05bfeap-21, 0x1.143349ace829ep-24, 0x1.f6a8a2d034086p-28,
+    0x1.32b22fca669afp-31, 0x1.a47349541c085p-35, 0x1.0069dfd5ab4e3p-38, 0x1.71c61aaa1d7c4p-42,
+    0x1.d512a4af7328fp-46, 0x1.5b134e69490adp-49, 0x1.c0ce496cdceecp-53, 0x1.5053778ede77fp-56
 };
 GS_TABLE(gs_flight_factor_lean7) = {
-    -0x1.09dedd5e73a18p-4, -0x1.107c1e6ef4d1ep-7, -0x1.4b6de60cc7234p-9, -0x1.ddaccab705a9ap-11,
-    -0x1.0826afa792c07p-12, -0x1.f3a8f5633bd9ap-15, -0x1.2c76157af7637p-16, -0x1.acad705efe5f3p-18,
-    -0x1.d382ee64db165p-20, -0x1.b03e27f890fd9p-22, -0x1.f9209defdcd03p-24, -0x1.6131469356c43p-25,
-    -0x1.8b7f561770930p-27, -0x1.94e46588636dbp-29, -0x1.f3cec6b544d2ep-31, -0x1.51dfdbbf4510fp-32
+    -0x1.2c25d383e9aa4p-4, -0x1.82dc7240234bcp-10, -0x1.e5198b10ead6ap-14, -0x1.5cd53cb4334dfp-17,
+    -0x1.a890aa43787c3p-21, -0x1.2162175bee040p-24, -0x1.7a70efd969f2ep-28, -0x1.1caa13814b028p-31,
+    -0x1.ff61387c485d8p-36, -0x1.f198ea2223af1p-40, -0x1.a27a22a1656f8p-44, -0x1.adb87c5ed7472p-48,
+    -0x1.7a0969acfb1edp-52, -0x1.8fba50f3b836dp-56, -0x1.677a4517b1ec8p-60, -0x1.819e9fd810189p-64
 };
 GS_TABLE(gs_flight_factor_lean8) = {
-    0x1.efffb2a781497p-6, 0x1.5f94715404860p-8, 0x1.6a89c6544b48bp-10, 0x1.c5a60c87073e8p-12,
-    0x1.a345a0981b3bbp-14, 0x1.4551156654195p-16, 0x1.4bd6b8aa3dcf1p-18, 0x1.9b4182d8cb056p-20,
-    0x1.7794474059abbp-22, 0x1.1f1ac7aea15dap-24, 0x1.1e0927455ac6ap-26, 0x1.557fa2174bb4fp-28,
-    0x1.2d8d706c55b1bp-30, 0x1.f428f39c2993cp-33, 0x1.188ef15d1984fp-34, 0x1.602070fc7b6bbp-36
+    0x1.b62cc39d823bep-5, 0x1.8935c9fac6141p-11, 0x1.5acc0060500c3p-15, 0x1.6611db367bbebp-19,
+    0x1.344e58b63870fp-23, 0x1.2f1870699af4bp-27, 0x1.fbbc60b638422p-32, 0x1.3467ed15ba3b3p-35,
+    0x1.aa4cf5a0f4068p-40, 0x1.26d872f0b9e19p-44, 0x1.575da694442c6p-49, 0x1.f409dfd96a4eap-54,
+    0x1.3241f4654018fp-58, 0x1.ccf286dd15010p-63, 0x1.21640a8a384a8p-67, 0x1.baaf35c6ac4ecp-72
+};
+GS_TABLE(gs_flight_factor_lean9) = {
+    -0x1.d68a707106748p-6, -0x1.a86b8468dd2cep-12, -0x1.14523d956cefdp-16, -0x1.85f3e6bbda458p-21,
+    -0x1.f0479be33c27bp-26, -0x1.55583e1f679bfp-30, -0x1.843bcfaddf696p-35, -0x1.4a2d1a1055e88p-39,
+    -0x1.8ae6c01468a50p-44, -0x1.73b9b4f0ac419p-49, -0x1.3e9a3dbcda7aep-54, -0x1.34e775874a900p-59,
+    -0x1.17a72a578dcc2p-64, -0x1.19e09f55daff5p-69, -0x1.062be31f77ed8p-74, -0x1.0d596c050adddp-79
+};
+GS_TABLE(gs_flight_factor_lean10) = {
+    0x1.03a649fd022eep-7, 0x1.b94c50e361abcp-13, 0x1.93e3f41c2832fp-18, 0x1.9862041f77a6ep-23,
+    0x1.6cfd85eb7db73p-28, 0x1.6c4b81e894dd2p-33, 0x1.2018725545a61p-38, 0x1.41f7b99a85ff8p-43,
+    0x1.3e8d0cb8ac05cp-48, 0x1.b82bcb51db119p-54, 0x1.056acf0a7ce71p-59, 0x1.6773bbf5d630cp-65,
+    0x1.c51bcff250af4p-71, 0x1.450c3fcf66a0ap-76, 0x1.a61cccad07ef2p-82, 0x1.35354aa435cd4p-87
 };
 
 static inline gs_v gs_flight_factor_lean(gs_v x)
 {
     const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4092, 50);
+    const gs_index i = gs_piece(u, 2046, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
-    const gs_v q8 = gs_pick(gs_flight_factor_lean8, i);
+    const gs_v q10 = gs_pick(gs_flight_factor_lean10, i);
+    const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_factor_lean9, i));
+    const gs_v q8 = gs_fma(q9, d, gs_pick(gs_flight_factor_lean8, i));
     const gs_v q7 = gs_fma(q8, d, gs_pick(gs_flight_factor_lean7, i));
     const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_factor_lean6, i));
     const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_factor_lean5, i));
@@ -9709,71 +9848,6 @@ static inline gs_v gs_flight_factor_lean(gs_v x)
     const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_factor_lean2, i));
     const gs_v q1 = gs_fma(q2, d, gs_pick(gs_flight_factor_lean1, i));
     const gs_v r = gs_fma(q1, d, gs_pick(gs_flight_factor_lean0, i));
-    return r;
-}
-
-GS_TABLE(gs_flight_tail_lean0) = {
-    0x1.0f0f0ec9ba6b5p-1, 0x1.0c30c30aeca67p-1, 0x1.0a3d70a3d09d4p-1, 0x1.08d3dcb08cfb6p-1,
-    0x1.07507507491fdp-1, 0x1.05f417d05e1dcp-1, 0x1.0505050504c68p-1, 0x1.0456c797dd390p-1,
-    0x1.039b0ad11d39ep-1, 0x1.02f149902e913p-1, 0x1.027c45979c788p-1, 0x1.0226b90226b14p-1,
-    0x1.01ca4b30546acp-1, 0x1.01767dce430c3p-1, 0x1.013c995a47ad1p-1, 0x1.0112358e75cf4p-1
-};
-GS_TABLE(gs_flight_tail_lean1) = {
-    -0x1.c588c215c2b6ap-10, -0x1.29372337399c1p-10, -0x1.a36e2e9a44b2cp-11, -0x1.37b48247ffef8p-11,
-    -0x1.abfd7e0215612p-12, -0x1.1b8d5c58f3ab5p-12, -0x1.9324b647c5cecp-13, -0x1.2d3a7749026efp-13,
-    -0x1.a004e00d2c202p-14, -0x1.15123aeae0114p-14, -0x1.8b5a770f34824p-15, -0x1.282fdebc9b8d3p-15,
-    -0x1.9a388f830f006p-16, -0x1.11e9ea3fab4f7p-16, -0x1.878af2be0da92p-17, -0x1.25b6b0287fc02p-17
-};
-GS_TABLE(gs_flight_tail_lean2) = {
-    0x1.aad74a0d5addep-14, 0x1.c4e62f2234d5fp-15, 0x1.0c6f7a7a8e7a0p-15, 0x1.57f3528d83c10p-16,
-    0x1.874e38bacad43p-17, 0x1.a607ff1f5d0c8p-18, 0x1.f9e7cd996c6d7p-19, 0x1.46c1979d1b60dp-19,
-    0x1.7700d6dc25d6bp-20, 0x1.97a522e1c165cp-21, 0x1.eb501e71f043fp-22, 0x1.3e96734ba6157p-22,
-    0x1.6f30e27e1dcedp-23, 0x1.90b25c08e6a7bp-24, 0x1.e43a117891123p-25, 0x1.3a9afb48306cdp-25
-};
-GS_TABLE(gs_flight_tail_lean3) = {
-    -0x1.91a852fe7c3d8p-18, -0x1.59102ded31cc9p-19, -0x1.5798e7ccf0765p-20, -0x1.7b8814376f641p-21,
-    -0x1.65c3dc18295dap-22, -0x1.3a11dba045301p-23, -0x1.3d6e4eceb276ep-24, -0x1.62728a6dace28p-25,
-    -0x1.5207f7c2d663cp-26, -0x1.2be077d235fe5p-27, -0x1.314826cd02a68p-28, -0x1.56aebc8d9afb1p-29,
-    -0x1.48aca6ee33be8p-30, -0x1.2514be32656a8p-31, -0x1.2b6cdf84adcd7p-32, -0x1.50fbb21c0d4f0p-33
-};
-GS_TABLE(gs_flight_tail_lean4) = {
-    0x1.79a96ce52bb14p-22, 0x1.06de03608a712p-23, 0x1.b7c7eacc8c404p-25, 0x1.a2c80daa7ae09p-26,
-    0x1.470723e61b7a0p-27, 0x1.d3687c04abca2p-29, 0x1.8e535895982b2p-30, 0x1.80799fcb8c51cp-31,
-    0x1.30a4214d17477p-32, 0x1.b92871e0be0cdp-34, 0x1.7b5ca60760800p-35, 0x1.709719c0e590dp-36,
-    0x1.2623944287f62p-37, 0x1.acb295715a03ep-39, 0x1.724979ba36dc2p-40, 0x1.68f18cfd99686p-41
-};
-GS_TABLE(gs_flight_tail_lean5) = {
-    -0x1.629de2b715582p-26, -0x1.907ecb590dd8ap-28, -0x1.197514d706f25p-29, -0x1.ce1a7ea08fb09p-31,
-    -0x1.2aff36b5d1eeep-32, -0x1.5bd6afa43385cp-34, -0x1.f3dc0ac5c3f82p-36, -0x1.a10ec75ef7ab3p-37,
-    -0x1.129b28d5b73ccp-38, -0x1.4487aefd9a850p-40, -0x1.d770a68f618dap-42, -0x1.8c7780cf7c4e4p-43,
-    -0x1.0749059a6ef56p-44, -0x1.398fc9777ae42p-46, -0x1.c9f082c1314bap-48, -0x1.829e0bc5bad03p-49
-};
-GS_TABLE(gs_flight_tail_lean6) = {
-    0x1.54bdf5c83cb24p-30, 0x1.3694a3349db6bp-32, 0x1.6cebefc06f424p-34, 0x1.0166d0c46e210p-35,
-    0x1.18b382cb56caap-37, 0x1.076a5d4795a48p-39, 0x1.3d8b4982512bfp-41, 0x1.c89958c072636p-43,
-    0x1.fbf66bbcd46f7p-45, 0x1.e5aed08f632c5p-47, 0x1.2882d6ea3d1c9p-48, 0x1.ae576d552a044p-50,
-    0x1.e370ad354cea5p-52, 0x1.d27eb5adc4520p-54, 0x1.1e9846137aa56p-55, 0x1.a1dce27b41786p-57
-};
-GS_TABLE(gs_flight_tail_lean7) = {
-    -0x1.3bfdf3083dd69p-34, -0x1.d88016a0770a8p-37, -0x1.d30a32a92975bp-39, -0x1.1c06ef0635bc4p-40,
-    -0x1.00a41db3bf2f3p-42, -0x1.880f6d0fba1b2p-45, -0x1.8e7c987b604eap-47, -0x1.ef4b3938e4378p-49,
-    -0x1.c9e1bb41a6406p-51, -0x1.6548b0f6b8c56p-53, -0x1.707ad46633171p-55, -0x1.cee36ad860d32p-57,
-    -0x1.b0bac995c05f2p-59, -0x1.55352e9393fbap-61, -0x1.626fa493c2f6ap-63, -0x1.bf95d5aba7999p-65
-};
-
-static inline gs_v gs_flight_tail_lean(gs_v x)
-{
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 4108, 50);
-    const gs_v d = gs_sub(x, gs_pick(gs_flight_tail_centre, i));
-    const gs_v q7 = gs_pick(gs_flight_tail_lean7, i);
-    const gs_v q6 = gs_fma(q7, d, gs_pick(gs_flight_tail_lean6, i));
-    const gs_v q5 = gs_fma(q6, d, gs_pick(gs_flight_tail_lean5, i));
-    const gs_v q4 = gs_fma(q5, d, gs_pick(gs_flight_tail_lean4, i));
-    const gs_v q3 = gs_fma(q4, d, gs_pick(gs_flight_tail_lean3, i));
-    const gs_v q2 = gs_fma(q3, d, gs_pick(gs_flight_tail_lean2, i));
-    const gs_v q1 = gs_fma(q2, d, gs_pick(gs_flight_tail_lean1, i));
-    const gs_v r = gs_fma(q1, d, gs_pick(gs_flight_tail_lean0, i));
     return r;
 }
 
@@ -11147,26 +11221,6 @@ static inline gs_v gs_phi1m_range2_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_phi1m_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
-    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
-    return r;
-}
-
-/* (1 - exp(-z))/z, of vectors inside the domain. */
-static inline gs_v gs_phi1m_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
-    const gs_v r = gs_phi1m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_phi1m_rarely_lean(x, r);
-}
-
 static inline gs_v gs_phi2m_range0_lean(gs_v x)
 {
     const gs_v f = gs_phi2m_lean(x);
@@ -11191,26 +11245,6 @@ static inline gs_v gs_phi2m_range2_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_phi2m_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4))), r);
-    here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8))), r);
-    return r;
-}
-
-/* (z - 1 + exp(-z))/z^2, of vectors inside the domain. */
-static inline gs_v gs_phi2m_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
-    const gs_v r = gs_phi2m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_phi2m_rarely_lean(x, r);
-}
-
 static inline gs_v gs_descent_factor_range0_lean(gs_v x)
 {
     const gs_v f = gs_descent_factor_lean(x);
@@ -11233,26 +11267,6 @@ static inline gs_v gs_descent_factor_range2_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_descent_factor_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3))), r);
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
-    return r;
-}
-
-/* tau/p with tau - 1 + exp(-tau) = p^2/2, of vectors inside the domain. */
-static inline gs_v gs_descent_factor_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.2c00000000000p+3));
-    const gs_v r = gs_descent_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_descent_factor_rarely_lean(x, r);
-}
-
 static inline gs_v gs_flight_factor_range0_lean(gs_v x)
 {
     const gs_v f = gs_flight_factor_lean(x);
@@ -11262,37 +11276,10 @@ static inline gs_v gs_flight_factor_range0_lean(gs_v x)
 
 static inline gs_v gs_flight_factor_range1_lean(gs_v x)
 {
-    const gs_v f = gs_flight_tail_lean(x);
-    const gs_v r = f;
-    return r;
-}
-
-static inline gs_v gs_flight_factor_range2_lean(gs_v x)
-{
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
     const gs_v f_s = gs_add(y_q, gs_v_of(0x1.0000000000000p-1));
     const gs_v r = f_s;
     return r;
-}
-
-static GS_RARE gs_v gs_flight_factor_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+3), gs_v_of(0x1.fe00000000000p+7));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+3))), r);
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_flight_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7))), r);
-    return r;
-}
-
-/* T/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_flight_factor_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+3));
-    const gs_v r = gs_flight_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_flight_factor_rarely_lean(x, r);
 }
 
 static inline gs_v gs_range_factor_range0_lean(gs_v x)
@@ -11314,26 +11301,6 @@ static inline gs_v gs_range_factor_range2_lean(gs_v x)
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
     const gs_v r = y_q;
     return r;
-}
-
-static GS_RARE gs_v gs_range_factor_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
-    return r;
-}
-
-/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_range_factor_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_range_factor_rarely_lean(x, r);
 }
 
 static inline gs_v gs_range_loss_range0_lean(gs_v x)
@@ -11365,26 +11332,6 @@ static inline gs_v gs_range_loss_range2_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_range_loss_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
-    return r;
-}
-
-/* the slope of range_factor, negative, of vectors inside the domain. */
-static inline gs_v gs_range_loss_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_range_loss_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_range_loss_rarely_lean(x, r);
-}
-
 static inline gs_v gs_grown_balance_range0_lean(gs_v x)
 {
     const gs_v f = gs_grown_balance_lean(x);
@@ -11414,29 +11361,6 @@ static inline gs_v gs_grown_balance_range3_lean(gs_v x)
 {
     const gs_v r = x;
     return r;
-}
-
-static GS_RARE gs_v gs_grown_balance_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
-    here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6))), r);
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
-    return r;
-}
-
-/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), of vectors inside the domain. */
-static inline gs_v gs_grown_balance_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_grown_balance_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_grown_balance_rarely_lean(x, r);
 }
 
 static inline gs_v gs_max_range_factor_range0_lean(gs_v x)
@@ -11503,29 +11427,6 @@ static inline gs_v gs_max_range_factor_range3_lean(gs_v x)
     return r;
 }
 
-static GS_RARE gs_v gs_max_range_factor_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2))), r);
-    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554))), r);
-    here = gs_at_least(x, gs_v_of(INFINITY));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY))), r);
-    return r;
-}
-
-/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, of vectors inside the domain. */
-static inline gs_v gs_max_range_factor_all(gs_v x)
-{
-    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
-    const gs_v r = gs_max_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
-    return gs_all(here) ? r : gs_max_range_factor_rarely_lean(x, r);
-}
-
 static inline gs_v gs_acot_range0_lean(gs_v x)
 {
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
@@ -11553,26 +11454,6 @@ static inline gs_v gs_acot_range2_lean(gs_v x)
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p+0), x);
     const gs_v r = y_q;
     return r;
-}
-
-static GS_RARE gs_v gs_acot_rarely_lean(gs_v x, gs_v r)
-{
-    gs_mask here;
-    here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0))), r);
-    here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
-    if (gs_bits_of(here))
-        r = gs_select(here, gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100))), r);
-    return r;
-}
-
-/* the angle in [0, pi/2] whose cotangent is x, of vectors inside the domain. */
-static inline gs_v gs_acot_all(gs_v x)
-{
-    const gs_mask here = gs_within(x, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
-    const gs_v r = gs_acot_range0_lean(gs_select(here, x, gs_v_of(0x1.2000000000000p-2)));
-    return gs_all(here) ? r : gs_acot_rarely_lean(x, r);
 }
 
 static inline gs_v gs_best_sine_range0_lean(gs_v x)
@@ -11962,7 +11843,13 @@ static inline gs_v gs_s_kept(gs_v r, gs_v a, gs_mask *good)
 static inline gs_v gs_s_add(gs_v a, gs_v b, gs_mask *good) { return gs_s_kept(gs_add(a, b), a, good); }
 static inline gs_v gs_s_sub(gs_v a, gs_v b, gs_mask *good) { return gs_s_kept(gs_sub(a, b), a, good); }
 
-static inline gs_turn_single gs_s_angle(gs_v theta)
+/* The same step as of pairs. */
+typedef struct {
+    gs_v s, c, over, less; /* sin(d), cos(d) - 1 */
+    gs_mask far;
+} gs_near_angle_single;
+
+static inline gs_near_angle_single gs_s_near_angle(gs_v theta)
 {
     const gs_v size = gs_min(gs_abs(theta), gs_v_of(GS_HALF_TURN_0)), big = gs_v_of(0x1.8p+52);
     const gs_mask far = gs_at_least(size, gs_v_of(GS_QUARTER_TURN));
@@ -11971,16 +11858,44 @@ static inline gs_turn_single gs_s_angle(gs_v theta)
     const gs_v u = gs_fma(x, gs_v_of(GS_TURNS_A_RADIAN), big);
     const gs_index i = gs_low_index(u);
     const gs_v d = gs_fnma(gs_sub(u, big), gs_v_of(GS_TURN_STEP), x);
-    const gs_v s = gs_pick(gs_turn_sine, i), c = gs_pick(gs_turn_cosine, i);
     const gs_v q = gs_mul(d, d);
-    gs_v over = gs_fma(q, gs_v_of(0x1.1111111111111p-7), gs_v_of(-0x1.5555555555555p-3));
-    over = gs_fma(gs_mul(over, q), d, d); /* sin(d) */
-    gs_v less = gs_fma(q, gs_v_of(-0x1.6c16c16c16c17p-10), gs_v_of(0x1.5555555555555p-5));
-    less = gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q); /* cos(d) - 1 */
-    const gs_v sine = gs_fma(c, over, gs_fma(s, less, s));
-    const gs_v cosine = gs_fnma(s, over, gs_fma(c, less, c));
-    const gs_turn_single r = {gs_select(far, cosine, sine), gs_select(far, sine, cosine), theta};
+    const gs_v over = gs_mul(gs_fma(q, gs_v_of(0x1.1111111111111p-7), gs_v_of(-0x1.5555555555555p-3)), q);
+    const gs_v less = gs_fma(q, gs_v_of(-0x1.6c16c16c16c17p-10), gs_v_of(0x1.5555555555555p-5));
+    const gs_near_angle_single r = {
+        gs_pick(gs_turn_sine, i),
+        gs_pick(gs_turn_cosine, i),
+        gs_fma(over, d, d),
+        gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q),
+        far,
+    };
     return r;
+}
+
+static inline gs_turn_single gs_s_angle(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    const gs_v sine = gs_fma(t.c, t.over, gs_fma(t.s, t.less, t.s));
+    const gs_v cosine = gs_fnma(t.s, t.over, gs_fma(t.c, t.less, t.c));
+    const gs_turn_single r = {gs_select(t.far, cosine, sine), gs_select(t.far, sine, cosine), theta};
+    return r;
+}
+
+static inline gs_v gs_s_one(gs_near_angle_single t, gs_mask crossed)
+{
+    const gs_v a = gs_select(crossed, t.c, t.s), b = gs_select(crossed, t.s, t.c);
+    return gs_fma(b, gs_select(crossed, gs_minus(t.over), t.over), gs_fma(a, t.less, a));
+}
+
+static inline gs_v gs_s_sine_of(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    return gs_flip(gs_s_one(t, t.far), theta);
+}
+
+static inline gs_v gs_s_cosine_of(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    return gs_s_one(t, gs_not(t.far));
 }
 
 static inline gs_v gs_s_sine(gs_turn_single a) { return gs_flip(a.s, a.sign); }
@@ -11999,17 +11914,416 @@ static inline gs_v gs_s_driving(gs_turn_single a, gs_v mu, gs_mask *good, gs_mas
 /* exp(-z): beyond 600 any product with floats is 0 in binary32. */
 static inline gs_v gs_s_phi0m(gs_v z) { return gs_exp_minus_range0_lean(gs_min(z, gs_v_of(600.0))); }
 
-static inline gs_v gs_s_phi1m(gs_v x) { return gs_phi1m_all(x); }
-static inline gs_v gs_s_phi2m(gs_v x) { return gs_phi2m_all(x); }
-static inline gs_v gs_s_descent_factor(gs_v x) { return gs_descent_factor_all(x); }
-static inline gs_v gs_s_flight_factor(gs_v x) { return gs_flight_factor_all(x); }
-static inline gs_v gs_s_range_factor(gs_v x) { return gs_range_factor_all(x); }
-static inline gs_v gs_s_range_loss(gs_v x) { return gs_range_loss_all(x); }
-static inline gs_v gs_s_grown_balance(gs_v x) { return gs_grown_balance_all(x); }
-static inline gs_v gs_s_max_range_factor(gs_v x) { return gs_max_range_factor_all(x); }
-static inline gs_v gs_s_acot(gs_v x) { return gs_acot_all(x); }
-static inline gs_v gs_s_range_balance(gs_v b) { return gs_s_mul(gs_s_phi0m(b), gs_s_grown_balance(b)); }
+static inline gs_v gs_s_phi1m_served0(gs_mask here, gs_v x)
+{
+    return gs_phi1m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_phi1m_served1(gs_mask here, gs_v x)
+{
+    return gs_phi1m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)));
+}
+static inline gs_v gs_s_phi1m_served2(gs_mask here, gs_v x)
+{
+    return gs_phi1m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)));
+}
+static GS_RARE void gs_s_phi1m_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_phi1m_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_phi1m_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* (1 - exp(-z))/z, of numbers inside the domain. */
+static inline void gs_s_phi1m_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.a400000000000p+4));
+        value[i] = gs_s_phi1m_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_phi1m_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_phi2m_served0(gs_mask here, gs_v x)
+{
+    return gs_phi2m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_phi2m_served1(gs_mask here, gs_v x)
+{
+    return gs_phi2m_range1_lean(gs_select(here, x, gs_v_of(0x1.a400000000000p+4)));
+}
+static inline gs_v gs_s_phi2m_served2(gs_mask here, gs_v x)
+{
+    return gs_phi2m_range2_lean(gs_select(here, x, gs_v_of(0x1.be40000000000p+8)));
+}
+static GS_RARE void gs_s_phi2m_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.a400000000000p+4), gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_phi2m_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.be40000000000p+8));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_phi2m_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* (z - 1 + exp(-z))/z^2, of numbers inside the domain. */
+static inline void gs_s_phi2m_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.a400000000000p+4));
+        value[i] = gs_s_phi2m_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_phi2m_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_descent_factor_served0(gs_mask here, gs_v x)
+{
+    return gs_descent_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_descent_factor_served1(gs_mask here, gs_v x)
+{
+    return gs_descent_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.2c00000000000p+3)));
+}
+static inline gs_v gs_s_descent_factor_served2(gs_mask here, gs_v x)
+{
+    return gs_descent_factor_range2_lean(gs_select(here, x, gs_v_of(INFINITY)));
+}
+static GS_RARE void gs_s_descent_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_at_least(x, gs_v_of(0x1.2c00000000000p+3));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_descent_factor_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_descent_factor_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* tau/p with tau - 1 + exp(-tau) = p^2/2, of numbers inside the domain. */
+static inline void gs_s_descent_factor_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.2c00000000000p+3));
+        value[i] = gs_s_descent_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_descent_factor_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_descent_factor(gs_v x)
+{
+    gs_v value;
+    gs_s_descent_factor_each(1, &x, &value);
+    return value;
+}
 
+static inline gs_v gs_s_flight_factor_served0(gs_mask here, gs_v x)
+{
+    return gs_flight_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_flight_factor_served1(gs_mask here, gs_v x)
+{
+    return gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)));
+}
+static GS_RARE void gs_s_flight_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_flight_factor_served1(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* T/(2 b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_s_flight_factor_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.fe00000000000p+7));
+        value[i] = gs_s_flight_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_flight_factor_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_range_factor_served0(gs_mask here, gs_v x)
+{
+    return gs_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_range_factor_served1(gs_mask here, gs_v x)
+{
+    return gs_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)));
+}
+static inline gs_v gs_s_range_factor_served2(gs_mask here, gs_v x)
+{
+    return gs_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)));
+}
+static GS_RARE void gs_s_range_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_range_factor_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_range_factor_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* (1 - exp(-T))/(2 b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_s_range_factor_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_s_range_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_range_factor_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_range_loss_served0(gs_mask here, gs_v x)
+{
+    return gs_range_loss_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_range_loss_served1(gs_mask here, gs_v x)
+{
+    return gs_range_loss_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)));
+}
+static inline gs_v gs_s_range_loss_served2(gs_mask here, gs_v x)
+{
+    return gs_range_loss_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)));
+}
+static GS_RARE void gs_s_range_loss_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_range_loss_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_range_loss_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* the slope of range_factor, negative, of numbers inside the domain. */
+static inline void gs_s_range_loss_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_s_range_loss_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_range_loss_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_grown_balance_served0(gs_mask here, gs_v x)
+{
+    return gs_grown_balance_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_grown_balance_served1(gs_mask here, gs_v x)
+{
+    return gs_grown_balance_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)));
+}
+static inline gs_v gs_s_grown_balance_served2(gs_mask here, gs_v x)
+{
+    return gs_grown_balance_range2_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+6)));
+}
+static inline gs_v gs_s_grown_balance_served3(gs_mask here, gs_v x)
+{
+    return gs_grown_balance_range3_lean(gs_select(here, x, gs_v_of(INFINITY)));
+}
+static GS_RARE void gs_s_grown_balance_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_grown_balance_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+6));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_grown_balance_served2(here, x), r);
+        here = gs_at_least(x, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_grown_balance_served3(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* b exp(b - T)/(T - b) with T = (1 + b)(1 - exp(-T)), of numbers inside the domain. */
+static inline void gs_s_grown_balance_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_s_grown_balance_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_grown_balance_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_max_range_factor_served0(gs_mask here, gs_v x)
+{
+    return gs_max_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_max_range_factor_served1(gs_mask here, gs_v x)
+{
+    return gs_max_range_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.e000000000000p+2)));
+}
+static inline gs_v gs_s_max_range_factor_served2(gs_mask here, gs_v x)
+{
+    return gs_max_range_factor_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+554)));
+}
+static inline gs_v gs_s_max_range_factor_served3(gs_mask here, gs_v x)
+{
+    return gs_max_range_factor_range3_lean(gs_select(here, x, gs_v_of(INFINITY)));
+}
+static GS_RARE void gs_s_max_range_factor_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_within(x, gs_v_of(0x1.e000000000000p+2), gs_v_of(0x1.0000000000000p+554));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_max_range_factor_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.0000000000000p+554));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_max_range_factor_served2(here, x), r);
+        here = gs_at_least(x, gs_v_of(INFINITY));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_max_range_factor_served3(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* sqrt(1 - (1 + s) exp(-s))/a, 1 + (s - 1) exp(s) = a^2, of numbers inside the domain. */
+static inline void gs_s_max_range_factor_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.e000000000000p+2));
+        value[i] = gs_s_max_range_factor_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_max_range_factor_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
+static inline gs_v gs_s_acot_served0(gs_mask here, gs_v x)
+{
+    return gs_acot_range0_lean(gs_select(here, x, gs_v_of(0x1.2000000000000p-2)));
+}
+static inline gs_v gs_s_acot_served1(gs_mask here, gs_v x)
+{
+    return gs_acot_range1_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
+}
+static inline gs_v gs_s_acot_served2(gs_mask here, gs_v x)
+{
+    return gs_acot_range2_lean(gs_select(here, x, gs_v_of(0x1.0000000000000p+100)));
+}
+static GS_RARE void gs_s_acot_aside(gs_aside *aside)
+{
+    const size_t filled = gs_s_filled(aside);
+    for (size_t i = 0; i < filled; i += GS_LANES) {
+        const gs_v x = gs_s_aside(aside, i);
+        gs_v r = x;
+        gs_mask here;
+        here = gs_less(x, gs_v_of(0x1.2000000000000p-2));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_acot_served1(here, x), r);
+        here = gs_at_least(x, gs_v_of(0x1.0000000000000p+100));
+        if (gs_bits_of(here))
+            r = gs_select(here, gs_s_acot_served2(here, x), r);
+        gs_s_put(aside, i, r);
+    }
+}
+/* the angle in [0, pi/2] whose cotangent is x, of numbers inside the domain. */
+static inline void gs_s_acot_each(size_t block, const gs_v *x, gs_v *value)
+{
+    gs_aside aside;
+    aside.count = 0;
+    for (size_t i = 0; i < block; i++) {
+        const gs_mask here = gs_within(x[i], gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
+        value[i] = gs_s_acot_served0(here, x[i]);
+        if (!gs_all(here))
+            gs_s_put_aside(&aside, gs_not(here), i, x[i]);
+    }
+    if (aside.count > 0) {
+        gs_s_acot_aside(&aside);
+        gs_s_put_back(&aside, value);
+    }
+}
 #endif
 
 /* Whether no number within 2^-34 of r lies on the other side of a tie between floats, nor among the subnormal ones. */
@@ -12236,10 +12550,6 @@ static inline gs_v gs_flight_factor_quick1(gs_v x)
 {
     return gs_flight_factor_range1_lean(x);
 }
-static inline gs_v gs_flight_factor_quick2(gs_v x)
-{
-    return gs_flight_factor_range2_lean(x);
-}
 static GS_RARE gs_v gs_flight_factor_settled(gs_v wide)
 {
     gs_v lo;
@@ -12257,36 +12567,26 @@ static inline gs_v gs_flight_factor_kind1_single(gs_v x)
     const gs_v r = gs_flight_factor_quick1(x);
     return gs_all(gs_rounds_one_way(r)) ? r : gs_flight_factor_settled(x);
 }
-static inline gs_v gs_flight_factor_kind2_single(gs_v x)
-{
-    const gs_v r = gs_flight_factor_quick2(x);
-    return gs_all(gs_rounds_one_way(r)) ? r : gs_flight_factor_settled(x);
-}
 static GS_RARE void gs_flight_factor_mixed_single(size_t n, const float *x, float *value)
 {
-    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES], part2[GS_BLOCK + GS_LANES];
-    size_t length0 = 0, length1 = 0, length2 = 0, taken0 = 0, taken1 = 0, taken2 = 0;
+    double part0[GS_BLOCK + GS_LANES], part1[GS_BLOCK + GS_LANES];
+    size_t length0 = 0, length1 = 0, taken0 = 0, taken1 = 0;
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_widen(x + i);
         const gs_mask in1 = gs_flight_factor_is_kind1(v);
-        const gs_mask in2 = gs_flight_factor_is_kind2(v);
-        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        const gs_mask in0 = gs_not(in1);
         length0 = gs_append(part0, length0, in0, v);
         length1 = gs_append(part1, length1, in1, v);
-        length2 = gs_append(part2, length2, in2, v);
     }
     GS_SERVE(gs_flight_factor_any_single, gs_v_of(0x0.0p+0), part0, length0);
-    GS_SERVE(gs_flight_factor_kind1_single, gs_v_of(0x1.e000000000000p+3), part1, length1);
-    GS_SERVE(gs_flight_factor_kind2_single, gs_v_of(0x1.fe00000000000p+7), part2, length2);
+    GS_SERVE(gs_flight_factor_kind1_single, gs_v_of(0x1.fe00000000000p+7), part1, length1);
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_widen(x + i);
         const gs_mask in1 = gs_flight_factor_is_kind1(v);
-        const gs_mask in2 = gs_flight_factor_is_kind2(v);
-        const gs_mask in0 = gs_not(gs_either(in1, in2));
+        const gs_mask in0 = gs_not(in1);
         gs_v r = v;
         r = gs_take(part0, &taken0, in0, r);
         r = gs_take(part1, &taken1, in1, r);
-        r = gs_take(part2, &taken2, in2, r);
         gs_v_narrow(value + i, r);
     }
 }
@@ -13036,40 +13336,47 @@ double gs_scaled_projectile_max_range_drag(double v, double g, double k);
  * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, double *time_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            diameter_in = gs_padded(pad[1], diameter_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
+            good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_quotient(D, g), 2.0));
+            good_kept[i] = good;
+            t0_kept[i] = t0;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v diameter_here = gs_v_load(diameter_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
-        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-        gs_v time_here = gs_vp_value(t0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_free(theta_in[j], diameter_in[j], g_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_vp_value(t0);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_free(theta_in[at + j], diameter_in[at + j], g_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], time_here);
-            memcpy(time_out, pad[3], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], diameter_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(time_out, pad[3], rest * sizeof *time_out);
     }
 }
 
@@ -13077,40 +13384,47 @@ void GS_JOIN(gs_chord_descent_time_free_n, GS_SUFFIX)(size_t count, const double
  * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, float *time_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            diameter_in = gs_padded_single(pad[1], diameter_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+            good_kept[i] = good;
+            t0_kept[i] = t0;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v diameter_here = gs_v_widen(diameter_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v D = gs_select(good, diameter_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
-        gs_v time_here = t0;
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = t0;
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[at + j]), diameter_in[at + j], g_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], time_here);
-            memcpy(time_out, pad[3], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], diameter_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(time_out, pad[3], rest * sizeof *time_out);
     }
 }
 
@@ -13118,39 +13432,39 @@ void GS_JOIN(gs_chord_descent_time_free_nf, GS_SUFFIX)(size_t count, const float
  * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_quotient(D, g), 2.0));
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
+            gs_v time_here = gs_vp_value(t0);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_free(theta_in[at + j], diameter_in, g_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
-        gs_v time_here = gs_vp_value(t0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_free(theta_in[j], diameter_in, g_in);
-            time_here = gs_v_load(time_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), diameter_in, g_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -13158,7 +13472,6 @@ void GS_JOIN(gs_chord_descent_time_free_nu, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 div, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -13167,138 +13480,174 @@ void GS_JOIN(gs_chord_descent_time_free_nuf, GS_SUFFIX)(size_t count, const floa
     const gs_v D = gs_select(known, diameter_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            gs_v time_here = t0;
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[at + j]), diameter_in, g_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        gs_v time_here = t0;
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_free(gs_wide_angle(theta_in[j]), diameter_in, g_in);
-            time_here = gs_v_load(time_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), diameter_in, g_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *mu_in, double *time_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            diameter_in = gs_padded(pad[1], diameter_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v diameter_here = gs_v_load(diameter_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[j], diameter_in[j], g_in[j], mu_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_times(C, D), gs_vp_times(n, g)), 2.0));
+            t0_kept[i] = t0;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[at + j], diameter_in[at + j], g_in[at + j], mu_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], diameter_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *mu_in, float *time_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            diameter_in = gs_padded_single(pad[1], diameter_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v diameter_here = gs_v_widen(diameter_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v D = gs_select(good, diameter_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], mu_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, C), gs_s_mul(g, n)), 2.0));
+            t0_kept[i] = t0;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[at + j]), diameter_in[at + j], g_in[at + j], mu_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], diameter_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -13306,47 +13655,64 @@ void GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(size_t count, const d
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[j], diameter_in, g_in, mu_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const gs_vp C = C_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_times(C, D), gs_vp_times(n, g)), 2.0));
+            t0_kept[i] = t0;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(t0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction(theta_in[at + j], diameter_in, g_in, mu_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), diameter_in, g_in, mu_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 void GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float mu_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -13357,36 +13723,54 @@ void GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(size_t count, const 
     const gs_v D = gs_select(known, diameter_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[j]), diameter_in, g_in, mu_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const gs_v C = C_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, C), gs_s_mul(g, n)), 2.0));
+            t0_kept[i] = t0;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), t0);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction(gs_wide_angle(theta_in[at + j]), diameter_in, g_in, mu_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), diameter_in, g_in, mu_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -13394,45 +13778,54 @@ void GS_JOIN(gs_chord_descent_time_friction_nuf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *gamma_in, double *time_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            diameter_in = gs_padded(pad[1], diameter_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
+            good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_quotient(D, g), 2.0));
+            const gs_vp p = gs_vp_times(t0, gamma);
+            good_kept[i] = good;
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v diameter_here = gs_v_load(diameter_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here));
-        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-        const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p)));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[j], diameter_in[j], g_in[j], gamma_in[j]);
-            time_here = gs_v_load(time_each);
+        gs_vp_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_vp_value(gs_vp_mul(t0, factor1));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[at + j], diameter_in[at + j], g_in[at + j], gamma_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], diameter_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
@@ -13440,45 +13833,54 @@ void GS_JOIN(gs_chord_descent_time_drag_n, GS_SUFFIX)(size_t count, const double
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *gamma_in, float *time_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            diameter_in = gs_padded_single(pad[1], diameter_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
+            const gs_v p = gs_s_mul(gamma, t0);
+            good_kept[i] = good;
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v diameter_here = gs_v_widen(diameter_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v D = gs_select(good, diameter_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
-        const gs_v p = gs_s_mul(gamma, t0);
-        gs_v time_here = gs_s_mul(t0, gs_s_descent_factor(p));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], gamma_in[j]);
-            time_here = gs_v_load(time_each);
+        gs_s_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_s_mul(t0, factor1);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[at + j]), diameter_in[at + j], g_in[at + j], gamma_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], diameter_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
@@ -13486,7 +13888,6 @@ void GS_JOIN(gs_chord_descent_time_drag_nf, GS_SUFFIX)(size_t count, const float
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double gamma_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -13494,36 +13895,37 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
     gs_mask known = gs_between(diameter_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(D, g), 2.0));
-    const gs_vp p = gs_vp_mul(gamma, t0);
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_quotient(D, g), 2.0));
+    const gs_vp p = gs_vp_times(t0, gamma);
     const gs_vp once1 = gs_vp_mul(t0, gs_vp_descent_factor(p));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
+            gs_v time_here = gs_vp_value(once1);
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[at + j], diameter_in, g_in, gamma_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs(theta_here)));
-        gs_v time_here = gs_vp_value(once1);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_drag(theta_in[j], diameter_in, g_in, gamma_in);
-            time_here = gs_v_load(time_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), diameter_in, g_in, gamma_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -13531,7 +13933,6 @@ void GS_JOIN(gs_chord_descent_time_drag_nu, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 div, 2 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float gamma_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -13545,148 +13946,190 @@ void GS_JOIN(gs_chord_descent_time_drag_nuf, GS_SUFFIX)(size_t count, const floa
     const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(D, g), 2.0));
     const gs_v p = gs_s_mul(gamma, t0);
     const gs_v once1 = gs_s_mul(t0, gs_s_descent_factor(p));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            gs_v time_here = once1;
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[at + j]), diameter_in, g_in, gamma_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        gs_v time_here = once1;
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_drag(gs_wide_angle(theta_in[j]), diameter_in, g_in, gamma_in);
-            time_here = gs_v_load(time_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), diameter_in, g_in, gamma_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *diameter_in, const double *g_in, const double *mu_in, const double *gamma_in, double *time_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            diameter_in = gs_padded(pad[1], diameter_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
-            gamma_in = gs_padded(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v diameter_here = gs_v_load(diameter_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp D = gs_vp_load(gs_select(good, diameter_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p))));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[j], diameter_in[j], g_in[j], mu_in[j], gamma_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v diameter_here = gs_v_load(diameter_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_vp C = C_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_times(C, D), gs_vp_times(n, g)), 2.0));
+            const gs_vp p = gs_vp_times(t0, gamma);
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], time_here);
-            memcpy(time_out, pad[5], here * sizeof *time_out);
-            return;
+        gs_vp_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, factor1)));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[at + j], diameter_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], diameter_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), gs_padded(pad[4], gamma_in, rest), pad[5]);
+        memcpy(time_out, pad[5], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *diameter_in, const float *g_in, const float *mu_in, const float *gamma_in, float *time_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            diameter_in = gs_padded_single(pad[1], diameter_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
-            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v diameter_here = gs_v_widen(diameter_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(diameter_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v D = gs_select(good, diameter_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
-        const gs_v p = gs_s_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, gs_s_descent_factor(p)));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[j]), diameter_in[j], g_in[j], mu_in[j], gamma_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v diameter_here = gs_v_widen(diameter_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            const gs_v D = gs_select(good, diameter_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, C), gs_s_mul(g, n)), 2.0));
+            const gs_v p = gs_s_mul(gamma, t0);
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], time_here);
-            memcpy(time_out, pad[5], here * sizeof *time_out);
-            return;
+        gs_s_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, factor1));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[at + j]), diameter_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, diameter_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, diameter_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], diameter_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), gs_padded_single(pad[4], gamma_in, rest), pad[5]);
+        memcpy(time_out, pad[5], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double diameter_in, double g_in, double mu_in, double gamma_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -13696,49 +14139,69 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(size_t count, co
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp D = gs_vp_load(gs_select(known, diameter_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v D = gs_select(known, diameter_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_mul(D, gs_vp_div(C, n)), g), 2.0));
-        const gs_vp p = gs_vp_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, gs_vp_descent_factor(p))));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[j], diameter_in, g_in, mu_in, gamma_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const gs_vp C = C_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp t0 = gs_vp_sqrt(gs_vp_scaled(gs_vp_div(gs_vp_times(C, D), gs_vp_times(n, g)), 2.0));
+            const gs_vp p = gs_vp_times(t0, gamma);
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
+        gs_vp_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_vp_value(gs_vp_mul(t0, factor1)));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction_drag(theta_in[at + j], diameter_in, g_in, mu_in, gamma_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), diameter_in, g_in, mu_in, gamma_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float diameter_in, float g_in, float mu_in, float gamma_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v diameter_here = gs_v_of(diameter_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -13752,37 +14215,58 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(size_t count, c
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], n_kept[GS_GROUP], t0_kept[GS_GROUP], p_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            C_kept[i] = C;
+            n_kept[i] = n;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, gs_s_div(C, n)), g), 2.0));
-        const gs_v p = gs_s_mul(gamma, t0);
-        gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, gs_s_descent_factor(p)));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[j]), diameter_in, g_in, mu_in, gamma_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const gs_v C = C_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v t0 = gs_s_sqrt(gs_s_scaled(gs_s_div(gs_s_mul(D, C), gs_s_mul(g, n)), 2.0));
+            const gs_v p = gs_s_mul(gamma, t0);
+            t0_kept[i] = t0;
+            p_kept[i] = p;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
+        gs_s_descent_factor_each(block, p_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v t0 = t0_kept[i];
+            gs_v time_here = gs_select(held, gs_v_of(INFINITY), gs_s_mul(t0, factor1));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_chord_descent_time_friction_drag(gs_wide_angle(theta_in[at + j]), diameter_in, g_in, mu_in, gamma_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), diameter_in, g_in, mu_in, gamma_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -13790,43 +14274,51 @@ void GS_JOIN(gs_chord_descent_time_friction_drag_nuf, GS_SUFFIX)(size_t count, c
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *distance_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v distance_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, C), 0.5));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], theta_in[j], g_in[j]);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_mul(gs_vp_value(gs_vp_mul(fall, C)), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_free(t_in[at + j], theta_in[at + j], g_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], distance_here);
-            memcpy(distance_out, pad[3], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(distance_out, pad[3], rest * sizeof *distance_out);
     }
 }
 
@@ -13834,43 +14326,51 @@ void GS_JOIN(gs_chord_distance_free_n, GS_SUFFIX)(size_t count, const double *t_
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *distance_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        gs_v distance_here = gs_s_scaled(gs_s_mul(fall, C), 0.5);
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j]);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_mul(gs_s_mul(fall, C), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], distance_here);
-            memcpy(distance_out, pad[3], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_distance_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(distance_out, pad[3], rest * sizeof *distance_out);
     }
 }
 
@@ -13878,43 +14378,51 @@ void GS_JOIN(gs_chord_distance_free_nf, GS_SUFFIX)(size_t count, const float *t_
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *distance_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v distance_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, C), 0.5));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], theta_in[j], g_in);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_mul(gs_vp_value(gs_vp_mul(fall, C)), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_free(t_in[at + j], theta_in[at + j], g_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -13922,43 +14430,51 @@ void GS_JOIN(gs_chord_distance_free_nu, GS_SUFFIX)(size_t count, const double *t
  * Operations: 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *distance_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        gs_v distance_here = gs_s_scaled(gs_s_mul(fall, C), 0.5);
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_free(t_in[j], gs_wide_angle(theta_in[j]), g_in);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_mul(gs_s_mul(fall, C), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -13966,48 +14482,58 @@ void GS_JOIN(gs_chord_distance_free_nuf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *distance_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, n), 0.5)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], theta_in[j], g_in[j], mu_in[j]);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(fall, n)), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], distance_here);
-            memcpy(distance_out, pad[4], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), pad[4]);
+        memcpy(distance_out, pad[4], rest * sizeof *distance_out);
     }
 }
 
@@ -14015,48 +14541,58 @@ void GS_JOIN(gs_chord_distance_friction_n, GS_SUFFIX)(size_t count, const double
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *distance_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(fall, n), 0.5));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j]);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(fall, n), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], distance_here);
-            memcpy(distance_out, pad[4], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), pad[4]);
+        memcpy(distance_out, pad[4], rest * sizeof *distance_out);
     }
 }
 
@@ -14064,47 +14600,58 @@ void GS_JOIN(gs_chord_distance_friction_nf, GS_SUFFIX)(size_t count, const float
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *distance_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(fall, n), 0.5)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], theta_in[j], g_in, mu_in);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(fall, n)), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction(t_in[at + j], theta_in[at + j], g_in, mu_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -14112,7 +14659,6 @@ void GS_JOIN(gs_chord_distance_friction_nu, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 driving force, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *distance_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -14120,39 +14666,51 @@ void GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(size_t count, const floa
     known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(fall, n), 0.5));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in);
-            distance_here = gs_v_load(distance_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(fall, n), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -14160,48 +14718,59 @@ void GS_JOIN(gs_chord_distance_friction_nuf, GS_SUFFIX)(size_t count, const floa
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *distance_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j]);
-            distance_here = gs_v_load(distance_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), factor1));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_drag(t_in[at + j], theta_in[at + j], g_in[at + j], gamma_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], distance_here);
-            memcpy(distance_out, pad[4], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4]);
+        memcpy(distance_out, pad[4], rest * sizeof *distance_out);
     }
 }
 
@@ -14209,48 +14778,59 @@ void GS_JOIN(gs_chord_distance_drag_n, GS_SUFFIX)(size_t count, const double *t_
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *distance_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j]);
-            distance_here = gs_v_load(distance_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), factor1);
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], gamma_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], distance_here);
-            memcpy(distance_out, pad[4], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_distance_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4]);
+        memcpy(distance_out, pad[4], rest * sizeof *distance_out);
     }
 }
 
@@ -14258,47 +14838,59 @@ void GS_JOIN(gs_chord_distance_drag_nf, GS_SUFFIX)(size_t count, const float *t_
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *distance_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], theta_in[j], g_in, gamma_in);
-            distance_here = gs_v_load(distance_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_vp_value(gs_vp_mul(gs_vp_mul(fall, C), factor1));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_drag(t_in[at + j], theta_in[at + j], g_in, gamma_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, gamma_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -14306,7 +14898,6 @@ void GS_JOIN(gs_chord_distance_drag_nu, GS_SUFFIX)(size_t count, const double *t
  * Operations: 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *distance_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
@@ -14314,39 +14905,52 @@ void GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(size_t count, const float *t
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in);
-            distance_here = gs_v_load(distance_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_s_mul(gs_s_mul(fall, C), factor1);
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, gamma_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, gamma_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -14354,53 +14958,66 @@ void GS_JOIN(gs_chord_distance_drag_nuf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *distance_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
-            gamma_in = gs_padded(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j]);
-            distance_here = gs_v_load(distance_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), factor1)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], distance_here);
-            memcpy(distance_out, pad[5], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), gs_padded(pad[4], gamma_in, rest), pad[5]);
+        memcpy(distance_out, pad[5], rest * sizeof *distance_out);
     }
 }
 
@@ -14408,53 +15025,66 @@ void GS_JOIN(gs_chord_distance_friction_drag_n, GS_SUFFIX)(size_t count, const d
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *distance_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
-            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j]);
-            distance_here = gs_v_load(distance_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), factor1));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], distance_here);
-            memcpy(distance_out, pad[5], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), gs_padded_single(pad[4], gamma_in, rest), pad[5]);
+        memcpy(distance_out, pad[5], rest * sizeof *distance_out);
     }
 }
 
@@ -14462,7 +15092,6 @@ void GS_JOIN(gs_chord_distance_friction_drag_nf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *distance_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -14470,43 +15099,59 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z))));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in);
-            distance_here = gs_v_load(distance_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(fall, n), factor1)));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[at + j], theta_in[at + j], g_in, mu_in, gamma_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_store(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_store(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -14514,7 +15159,6 @@ void GS_JOIN(gs_chord_distance_friction_drag_nu, GS_SUFFIX)(size_t count, const 
  * Operations: 1 driving force, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *distance_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -14525,40 +15169,56 @@ void GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(size_t count, const
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z)));
-        if (!gs_all(good)) {
-            double distance_each[GS_LANES];
-            gs_v_store(distance_each, distance_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in);
-            distance_here = gs_v_load(distance_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v distance_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(fall, n), factor1));
+            if (!gs_all(good)) {
+                double distance_each[GS_LANES];
+                gs_v_store(distance_each, distance_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        distance_each[j] = gs_scaled_chord_distance_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in, gamma_in);
+                distance_here = gs_v_load(distance_each);
+            }
+            gs_v_narrow(distance_out + at, distance_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], distance_here);
-            memcpy(distance_out, pad[2], here * sizeof *distance_out);
-            return;
-        }
-        gs_v_narrow(distance_out, distance_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, distance_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, distance_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2]);
+        memcpy(distance_out, pad[2], rest * sizeof *distance_out);
     }
 }
 
@@ -14566,42 +15226,50 @@ void GS_JOIN(gs_chord_distance_friction_drag_nuf, GS_SUFFIX)(size_t count, const
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *speed_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), C));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], theta_in[j], g_in[j]);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_product(g, t), C));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_free(t_in[at + j], theta_in[at + j], g_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], speed_here);
-            memcpy(speed_out, pad[3], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(speed_out, pad[3], rest * sizeof *speed_out);
     }
 }
 
@@ -14609,42 +15277,50 @@ void GS_JOIN(gs_chord_speed_free_n, GS_SUFFIX)(size_t count, const double *t_in,
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *speed_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j]);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], speed_here);
-            memcpy(speed_out, pad[3], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_speed_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(speed_out, pad[3], rest * sizeof *speed_out);
     }
 }
 
@@ -14652,42 +15328,50 @@ void GS_JOIN(gs_chord_speed_free_nf, GS_SUFFIX)(size_t count, const float *t_in,
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *speed_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), C));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], theta_in[j], g_in);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_product(g, t), C));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_free(t_in[at + j], theta_in[at + j], g_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -14695,42 +15379,50 @@ void GS_JOIN(gs_chord_speed_free_nu, GS_SUFFIX)(size_t count, const double *t_in
  * Operations: 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *speed_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            good_kept[i] = good;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_free(t_in[j], gs_wide_angle(theta_in[j]), g_in);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            gs_v speed_here = gs_s_mul(gs_s_mul(t, g), C);
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -14738,47 +15430,57 @@ void GS_JOIN(gs_chord_speed_free_nuf, GS_SUFFIX)(size_t count, const float *t_in
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *speed_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), n)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], theta_in[j], g_in[j], mu_in[j]);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_product(g, t), n)));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], speed_here);
-            memcpy(speed_out, pad[4], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), pad[4]);
+        memcpy(speed_out, pad[4], rest * sizeof *speed_out);
     }
 }
 
@@ -14786,47 +15488,57 @@ void GS_JOIN(gs_chord_speed_friction_n, GS_SUFFIX)(size_t count, const double *t
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *speed_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j]);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], speed_here);
-            memcpy(speed_out, pad[4], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), pad[4]);
+        memcpy(speed_out, pad[4], rest * sizeof *speed_out);
     }
 }
 
@@ -14834,46 +15546,57 @@ void GS_JOIN(gs_chord_speed_friction_nf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *speed_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(t, g), n)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], theta_in[j], g_in, mu_in);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_product(g, t), n)));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction(t_in[at + j], theta_in[at + j], g_in, mu_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -14881,7 +15604,6 @@ void GS_JOIN(gs_chord_speed_friction_nu, GS_SUFFIX)(size_t count, const double *
  * Operations: 1 driving force, 2 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *speed_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -14889,38 +15611,50 @@ void GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(size_t count, const float *
     known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in);
-            speed_here = gs_v_load(speed_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(t, g), n));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -14928,47 +15662,58 @@ void GS_JOIN(gs_chord_speed_friction_nuf, GS_SUFFIX)(size_t count, const float *
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *speed_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j]);
-            speed_here = gs_v_load(speed_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_product(g, t), C), factor1));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_drag(t_in[at + j], theta_in[at + j], g_in[at + j], gamma_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], speed_here);
-            memcpy(speed_out, pad[4], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4]);
+        memcpy(speed_out, pad[4], rest * sizeof *speed_out);
     }
 }
 
@@ -14976,47 +15721,58 @@ void GS_JOIN(gs_chord_speed_drag_n, GS_SUFFIX)(size_t count, const double *t_in,
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *speed_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), gs_s_phi1m(z));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j]);
-            speed_here = gs_v_load(speed_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), factor1);
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], gamma_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], speed_here);
-            memcpy(speed_out, pad[4], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_speed_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4]);
+        memcpy(speed_out, pad[4], rest * sizeof *speed_out);
     }
 }
 
@@ -15024,46 +15780,58 @@ void GS_JOIN(gs_chord_speed_drag_nf, GS_SUFFIX)(size_t count, const float *t_in,
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *speed_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp C = gs_vp_cosine_of(theta_used);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), C), gs_vp_phi1m(z)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], theta_in[j], g_in, gamma_in);
-            speed_here = gs_v_load(speed_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            gs_v speed_here = gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_product(g, t), C), factor1));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_drag(t_in[at + j], theta_in[at + j], g_in, gamma_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, gamma_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -15071,7 +15839,6 @@ void GS_JOIN(gs_chord_speed_drag_nu, GS_SUFFIX)(size_t count, const double *t_in
  * Operations: 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *speed_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
@@ -15079,38 +15846,51 @@ void GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v C = gs_s_cosine_of(theta_used);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), gs_s_phi1m(z));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in);
-            speed_here = gs_v_load(speed_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            gs_v speed_here = gs_s_mul(gs_s_mul(gs_s_mul(t, g), C), factor1);
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, gamma_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, gamma_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -15118,52 +15898,65 @@ void GS_JOIN(gs_chord_speed_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *speed_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
-            gamma_in = gs_padded(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j]);
-            speed_here = gs_v_load(speed_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_product(g, t), n), factor1)));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], speed_here);
-            memcpy(speed_out, pad[5], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), gs_padded(pad[4], gamma_in, rest), pad[5]);
+        memcpy(speed_out, pad[5], rest * sizeof *speed_out);
     }
 }
 
@@ -15171,52 +15964,65 @@ void GS_JOIN(gs_chord_speed_friction_drag_n, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *speed_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
-            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), gs_s_phi1m(z)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j]);
-            speed_here = gs_v_load(speed_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), factor1));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j], gamma_in[at + j]);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], speed_here);
-            memcpy(speed_out, pad[5], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), gs_padded_single(pad[4], gamma_in, rest), pad[5]);
+        memcpy(speed_out, pad[5], rest * sizeof *speed_out);
     }
 }
 
@@ -15224,7 +16030,6 @@ void GS_JOIN(gs_chord_speed_friction_drag_nf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *speed_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -15232,42 +16037,58 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_mul(t, g), n), gs_vp_phi1m(z))));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in);
-            speed_here = gs_v_load(speed_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_product(g, t), n), factor1)));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[at + j], theta_in[at + j], g_in, mu_in, gamma_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_store(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_store(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -15275,7 +16096,6 @@ void GS_JOIN(gs_chord_speed_friction_drag_nu, GS_SUFFIX)(size_t count, const dou
  * Operations: 1 driving force, 4 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *speed_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -15286,39 +16106,55 @@ void GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(size_t count, const fl
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), gs_s_phi1m(z)));
-        if (!gs_all(good)) {
-            double speed_each[GS_LANES];
-            gs_v_store(speed_each, speed_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in);
-            speed_here = gs_v_load(speed_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            gs_v speed_here = gs_select(held, gs_v_of(0.0), gs_s_mul(gs_s_mul(gs_s_mul(t, g), n), factor1));
+            if (!gs_all(good)) {
+                double speed_each[GS_LANES];
+                gs_v_store(speed_each, speed_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        speed_each[j] = gs_scaled_chord_speed_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in, gamma_in);
+                speed_here = gs_v_load(speed_each);
+            }
+            gs_v_narrow(speed_out + at, speed_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], speed_here);
-            memcpy(speed_out, pad[2], here * sizeof *speed_out);
-            return;
-        }
-        gs_v_narrow(speed_out, speed_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, speed_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, speed_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2]);
+        memcpy(speed_out, pad[2], rest * sizeof *speed_out);
     }
 }
 
@@ -15326,51 +16162,61 @@ void GS_JOIN(gs_chord_speed_friction_drag_nuf, GS_SUFFIX)(size_t count, const fl
  * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, double *x_out, double *y_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp shared = gs_vp_mul(fall, C);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5));
-        gs_v y_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_free(t_in[j], theta_in[j], g_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, C);
+            gs_v x_here = gs_mul(gs_vp_value(gs_vp_mul(shared, S)), gs_v_of(0.5));
+            gs_v y_here = gs_mul(gs_vp_value(gs_vp_mul(shared, C)), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_free(t_in[at + j], theta_in[at + j], g_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], x_here);
-            memcpy(x_out, pad[3], here * sizeof *x_out);
-            gs_v_store(pad[4], y_here);
-            memcpy(y_out, pad[4], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), pad[3], pad[4]);
+        memcpy(x_out, pad[3], rest * sizeof *x_out);
+        memcpy(y_out, pad[4], rest * sizeof *y_out);
     }
 }
 
@@ -15378,51 +16224,61 @@ void GS_JOIN(gs_chord_position_free_n, GS_SUFFIX)(size_t count, const double *t_
  * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, float *x_out, float *y_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v shared = gs_s_mul(fall, C);
-        const gs_v S = gs_s_sine(a);
-        gs_v x_here = gs_s_scaled(gs_s_mul(shared, S), 0.5);
-        gs_v y_here = gs_s_scaled(gs_s_mul(shared, C), 0.5);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_free(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, C);
+            gs_v x_here = gs_mul(gs_s_mul(shared, S), gs_v_of(0.5));
+            gs_v y_here = gs_mul(gs_s_mul(shared, C), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], x_here);
-            memcpy(x_out, pad[3], here * sizeof *x_out);
-            gs_v_narrow(pad[4], y_here);
-            memcpy(y_out, pad[4], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_position_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3], pad[4]);
+        memcpy(x_out, pad[3], rest * sizeof *x_out);
+        memcpy(y_out, pad[4], rest * sizeof *y_out);
     }
 }
 
@@ -15430,51 +16286,61 @@ void GS_JOIN(gs_chord_position_free_nf, GS_SUFFIX)(size_t count, const float *t_
  * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp shared = gs_vp_mul(fall, C);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5));
-        gs_v y_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_free(t_in[j], theta_in[j], g_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, C);
+            gs_v x_here = gs_mul(gs_vp_value(gs_vp_mul(shared, S)), gs_v_of(0.5));
+            gs_v y_here = gs_mul(gs_vp_value(gs_vp_mul(shared, C)), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_free(t_in[at + j], theta_in[at + j], g_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -15482,51 +16348,61 @@ void GS_JOIN(gs_chord_position_free_nu, GS_SUFFIX)(size_t count, const double *t
  * Operations: 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v shared = gs_s_mul(fall, C);
-        const gs_v S = gs_s_sine(a);
-        gs_v x_here = gs_s_scaled(gs_s_mul(shared, S), 0.5);
-        gs_v y_here = gs_s_scaled(gs_s_mul(shared, C), 0.5);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_free(t_in[j], gs_wide_angle(theta_in[j]), g_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, C);
+            gs_v x_here = gs_mul(gs_s_mul(shared, S), gs_v_of(0.5));
+            gs_v y_here = gs_mul(gs_s_mul(shared, C), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -15534,57 +16410,70 @@ void GS_JOIN(gs_chord_position_free_nuf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, double *x_out, double *y_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp shared = gs_vp_mul(fall, n);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5)));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction(t_in[j], theta_in[j], g_in[j], mu_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, n);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(shared, S)), gs_v_of(0.5)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(shared, C)), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_store(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -15592,57 +16481,70 @@ void GS_JOIN(gs_chord_position_friction_n, GS_SUFFIX)(size_t count, const double
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, float *x_out, float *y_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v shared = gs_s_mul(fall, n);
-        const gs_v S = gs_s_sine(a);
-        const gs_v C = gs_s_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, S), 0.5));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, C), 0.5));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, n);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(shared, S), gs_v_of(0.5)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(shared, C), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_narrow(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -15650,56 +16552,70 @@ void GS_JOIN(gs_chord_position_friction_nf, GS_SUFFIX)(size_t count, const float
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp shared = gs_vp_mul(fall, n);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, S), 0.5)));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_scaled(gs_vp_mul(shared, C), 0.5)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction(t_in[j], theta_in[j], g_in, mu_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, n);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(shared, S)), gs_v_of(0.5)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_vp_value(gs_vp_mul(shared, C)), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction(t_in[at + j], theta_in[at + j], g_in, mu_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -15707,7 +16623,6 @@ void GS_JOIN(gs_chord_position_friction_nu, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 driving force, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -15715,48 +16630,63 @@ void GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(size_t count, const floa
     known = gs_both(known, gs_between(mu_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v shared = gs_s_mul(fall, n);
-        const gs_v S = gs_s_sine(a);
-        const gs_v C = gs_s_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, S), 0.5));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_scaled(gs_s_mul(shared, C), 0.5));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, n);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(shared, S), gs_v_of(0.5)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_mul(gs_s_mul(shared, C), gs_v_of(0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -15764,56 +16694,69 @@ void GS_JOIN(gs_chord_position_friction_nuf, GS_SUFFIX)(size_t count, const floa
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *gamma_in, double *x_out, double *y_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp z = gs_vp_product(gamma, t);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
-        const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
-        gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_drag(t_in[j], theta_in[j], g_in[j], gamma_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), factor1);
+            gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
+            gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_drag(t_in[at + j], theta_in[at + j], g_in[at + j], gamma_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_store(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -15821,56 +16764,69 @@ void GS_JOIN(gs_chord_position_drag_n, GS_SUFFIX)(size_t count, const double *t_
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *gamma_in, float *x_out, float *y_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v z = gs_s_mul(t, gamma);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
-        const gs_v S = gs_s_sine(a);
-        gs_v x_here = gs_s_mul(shared, S);
-        gs_v y_here = gs_s_mul(shared, C);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], gamma_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(gs_s_mul(fall, C), factor1);
+            gs_v x_here = gs_s_mul(shared, S);
+            gs_v y_here = gs_s_mul(shared, C);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], gamma_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_narrow(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_position_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -15878,55 +16834,69 @@ void GS_JOIN(gs_chord_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double gamma_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp z = gs_vp_product(gamma, t);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), gs_vp_phi2m(z));
-        const gs_vp S = gs_vp_sine(a);
-        gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
-        gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_drag(t_in[j], theta_in[j], g_in, gamma_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, C), factor1);
+            gs_v x_here = gs_vp_value(gs_vp_mul(shared, S));
+            gs_v y_here = gs_vp_value(gs_vp_mul(shared, C));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_drag(t_in[at + j], theta_in[at + j], g_in, gamma_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, gamma_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -15934,7 +16904,6 @@ void GS_JOIN(gs_chord_position_drag_nu, GS_SUFFIX)(size_t count, const double *t
  * Operations: 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float gamma_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
@@ -15942,47 +16911,62 @@ void GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v z = gs_s_mul(t, gamma);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            z_kept[i] = z;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(gs_s_mul(fall, C), gs_s_phi2m(z));
-        const gs_v S = gs_s_sine(a);
-        gs_v x_here = gs_s_mul(shared, S);
-        gs_v y_here = gs_s_mul(shared, C);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, gamma_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(gs_s_mul(fall, C), factor1);
+            gs_v x_here = gs_s_mul(shared, S);
+            gs_v y_here = gs_s_mul(shared, C);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, gamma_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, gamma_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -15990,62 +16974,78 @@ void GS_JOIN(gs_chord_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *g_in, const double *mu_in, const double *gamma_in, double *x_out, double *y_out)
 {
-    double pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            mu_in = gs_padded(pad[3], mu_in, here);
-            gamma_in = gs_padded(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction_drag(t_in[j], theta_in[j], g_in[j], mu_in[j], gamma_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), factor1);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction_drag(t_in[at + j], theta_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], x_here);
-            memcpy(x_out, pad[5], here * sizeof *x_out);
-            gs_v_store(pad[6], y_here);
-            memcpy(y_out, pad[6], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[7][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], mu_in, rest), gs_padded(pad[4], gamma_in, rest), pad[5], pad[6]);
+        memcpy(x_out, pad[5], rest * sizeof *x_out);
+        memcpy(y_out, pad[6], rest * sizeof *y_out);
     }
 }
 
@@ -16053,62 +17053,78 @@ void GS_JOIN(gs_chord_position_friction_drag_n, GS_SUFFIX)(size_t count, const d
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *g_in, const float *mu_in, const float *gamma_in, float *x_out, float *y_out)
 {
-    float pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            mu_in = gs_padded_single(pad[3], mu_in, here);
-            gamma_in = gs_padded_single(pad[4], gamma_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z));
-        const gs_v S = gs_s_sine(a);
-        const gs_v C = gs_s_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in[j], mu_in[j], gamma_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(gs_s_mul(fall, n), factor1);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in[at + j], mu_in[at + j], gamma_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], x_here);
-            memcpy(x_out, pad[5], here * sizeof *x_out);
-            gs_v_narrow(pad[6], y_here);
-            memcpy(y_out, pad[6], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[7][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], mu_in, rest), gs_padded_single(pad[4], gamma_in, rest), pad[5], pad[6]);
+        memcpy(x_out, pad[5], rest * sizeof *x_out);
+        memcpy(y_out, pad[6], rest * sizeof *y_out);
     }
 }
 
@@ -16116,7 +17132,6 @@ void GS_JOIN(gs_chord_position_friction_drag_nf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double g_in, double mu_in, double gamma_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -16124,52 +17139,71 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_vp n_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp n = gs_vp_driving(a, mu, &good, &held);
+            const gs_vp z = gs_vp_product(gamma, t);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(gs_abs(theta_here), 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp n = gs_vp_driving(a, mu, &good, &held);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), gs_vp_phi2m(z));
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction_drag(t_in[j], theta_in[j], g_in, mu_in, gamma_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp n = n_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(gs_vp_mul(fall, n), factor1);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, S)));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_vp_value(gs_vp_mul(shared, C)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction_drag(t_in[at + j], theta_in[at + j], g_in, mu_in, gamma_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -16177,7 +17211,6 @@ void GS_JOIN(gs_chord_position_friction_drag_nu, GS_SUFFIX)(size_t count, const 
  * Operations: 1 driving force, 7 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float g_in, float mu_in, float gamma_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -16188,49 +17221,68 @@ void GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(size_t count, const
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP], held_kept[GS_GROUP];
+    gs_v n_kept[GS_GROUP], z_kept[GS_GROUP], S_kept[GS_GROUP], C_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            gs_mask held;
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v n = gs_s_driving(a, mu, &good, &held);
+            const gs_v z = gs_s_mul(t, gamma);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            held_kept[i] = held;
+            n_kept[i] = n;
+            z_kept[i] = z;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gs_abs(theta_here), 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        gs_mask held;
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v n = gs_s_driving(a, mu, &good, &held);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(gs_s_mul(fall, n), gs_s_phi2m(z));
-        const gs_v S = gs_s_sine(a);
-        const gs_v C = gs_s_cosine(a);
-        gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
-        gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_position_friction_drag(t_in[j], gs_wide_angle(theta_in[j]), g_in, mu_in, gamma_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_mask held = held_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v n = n_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(gs_s_mul(fall, n), factor1);
+            gs_v x_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, S));
+            gs_v y_here = gs_select(held, gs_v_of(0.0), gs_s_mul(shared, C));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_position_friction_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), g_in, mu_in, gamma_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), g_in, mu_in, gamma_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -16238,49 +17290,46 @@ void GS_JOIN(gs_chord_position_friction_drag_nuf, GS_SUFFIX)(size_t count, const
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+            gs_v Y_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            gs_v R_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_free(t_in[at + j], g_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        gs_v R_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], X_here);
-            memcpy(X_out, pad[2], here * sizeof *X_out);
-            gs_v_store(pad[3], Y_here);
-            memcpy(Y_out, pad[3], here * sizeof *Y_out);
-            gs_v_store(pad[4], R_here);
-            memcpy(R_out, pad[4], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], g_in, rest), pad[2], pad[3], pad[4]);
+        memcpy(X_out, pad[2], rest * sizeof *X_out);
+        memcpy(Y_out, pad[3], rest * sizeof *Y_out);
+        memcpy(R_out, pad[4], rest * sizeof *R_out);
     }
 }
 
@@ -16288,49 +17337,46 @@ void GS_JOIN(gs_chord_synchronous_circle_free_n, GS_SUFFIX)(size_t count, const 
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v X_here = gs_s_constant(0.0);
+            gs_v Y_here = gs_mul(fall, gs_v_of(0.25));
+            gs_v R_here = gs_mul(fall, gs_v_of(0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_free(t_in[at + j], g_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v X_here = gs_s_constant(0.0);
-        gs_v Y_here = gs_s_scaled(fall, 0.25);
-        gs_v R_here = gs_s_scaled(fall, 0.25);
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], X_here);
-            memcpy(X_out, pad[2], here * sizeof *X_out);
-            gs_v_narrow(pad[3], Y_here);
-            memcpy(Y_out, pad[3], here * sizeof *Y_out);
-            gs_v_narrow(pad[4], R_here);
-            memcpy(R_out, pad[4], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], g_in, rest), pad[2], pad[3], pad[4]);
+        memcpy(X_out, pad[2], rest * sizeof *X_out);
+        memcpy(Y_out, pad[3], rest * sizeof *Y_out);
+        memcpy(R_out, pad[4], rest * sizeof *R_out);
     }
 }
 
@@ -16338,49 +17384,47 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nf, GS_SUFFIX)(size_t count, const
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+            gs_v Y_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            gs_v R_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_free(t_in[at + j], g_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_load(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        gs_v R_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_store(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_store(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), g_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -16388,49 +17432,47 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nu, GS_SUFFIX)(size_t count, const
  * Operations: 2 mul. */
 void GS_JOIN(gs_chord_synchronous_circle_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(g_here, 0x1p-149, 0x1p+128);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v X_here = gs_s_constant(0.0);
+            gs_v Y_here = gs_mul(fall, gs_v_of(0.25));
+            gs_v R_here = gs_mul(fall, gs_v_of(0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_free(t_in[at + j], g_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v X_here = gs_s_constant(0.0);
-        gs_v Y_here = gs_s_scaled(fall, 0.25);
-        gs_v R_here = gs_s_scaled(fall, 0.25);
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_free(t_in[j], g_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_narrow(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_narrow(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), g_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -16438,53 +17480,49 @@ void GS_JOIN(gs_chord_synchronous_circle_free_nuf, GS_SUFFIX)(size_t count, cons
  * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *mu_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
-            mu_in = gs_padded(pad[2], mu_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v X_here = gs_mul(gs_vp_value(gs_vp_times(fall, mu)), gs_v_of(0.25));
+            gs_v Y_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_product(mu, mu))), gs_vp_scaled(fall, 0.25)));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction(t_in[at + j], g_in[at + j], mu_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, fall), 0.25));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(fall, 0.25)));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in[j], mu_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], X_here);
-            memcpy(X_out, pad[3], here * sizeof *X_out);
-            gs_v_store(pad[4], Y_here);
-            memcpy(Y_out, pad[4], here * sizeof *Y_out);
-            gs_v_store(pad[5], R_here);
-            memcpy(R_out, pad[5], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], g_in, rest), gs_padded(pad[2], mu_in, rest), pad[3], pad[4], pad[5]);
+        memcpy(X_out, pad[3], rest * sizeof *X_out);
+        memcpy(Y_out, pad[4], rest * sizeof *Y_out);
+        memcpy(R_out, pad[5], rest * sizeof *R_out);
     }
 }
 
@@ -16492,53 +17530,49 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_n, GS_SUFFIX)(size_t count, co
  * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *mu_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
-            mu_in = gs_padded_single(pad[2], mu_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v X_here = gs_mul(gs_s_mul(mu, fall), gs_v_of(0.25));
+            gs_v Y_here = gs_mul(fall, gs_v_of(0.25));
+            gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(fall, 0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction(t_in[at + j], g_in[at + j], mu_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v X_here = gs_s_scaled(gs_s_mul(mu, fall), 0.25);
-        gs_v Y_here = gs_s_scaled(fall, 0.25);
-        gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(fall, 0.25));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in[j], mu_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], X_here);
-            memcpy(X_out, pad[3], here * sizeof *X_out);
-            gs_v_narrow(pad[4], Y_here);
-            memcpy(Y_out, pad[4], here * sizeof *Y_out);
-            gs_v_narrow(pad[5], R_here);
-            memcpy(R_out, pad[5], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], mu_in, rest), pad[3], pad[4], pad[5]);
+        memcpy(X_out, pad[3], rest * sizeof *X_out);
+        memcpy(Y_out, pad[4], rest * sizeof *Y_out);
+        memcpy(R_out, pad[5], rest * sizeof *R_out);
     }
 }
 
@@ -16546,53 +17580,51 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nf, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_product(mu, mu)));
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v X_here = gs_mul(gs_vp_value(gs_vp_times(fall, mu)), gs_v_of(0.25));
+            gs_v Y_here = gs_mul(gs_vp_value(fall), gs_v_of(0.25));
+            gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(fall, 0.25)));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction(t_in[at + j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_load(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, fall), 0.25));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(fall, 0.25));
-        gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(fall, 0.25)));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_store(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_store(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), g_in, mu_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -16600,7 +17632,6 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nu, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 5 mul, 1 sqrt. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float mu_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -16609,44 +17640,43 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(size_t count, 
     const gs_v g = gs_select(known, g_here, one);
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v once1 = gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &known));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v X_here = gs_mul(gs_s_mul(mu, fall), gs_v_of(0.25));
+            gs_v Y_here = gs_mul(fall, gs_v_of(0.25));
+            gs_v R_here = gs_s_mul(once1, gs_s_scaled(fall, 0.25));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction(t_in[at + j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v X_here = gs_s_scaled(gs_s_mul(mu, fall), 0.25);
-        gs_v Y_here = gs_s_scaled(fall, 0.25);
-        gs_v R_here = gs_s_mul(once1, gs_s_scaled(fall, 0.25));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction(t_in[j], g_in, mu_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_narrow(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_narrow(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), g_in, mu_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -16654,55 +17684,64 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_nuf, GS_SUFFIX)(size_t count, 
  * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *gamma_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
-            gamma_in = gs_padded(pad[2], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        gs_v R_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, factor1);
+            gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+            gs_v Y_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            gs_v R_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_drag(t_in[at + j], g_in[at + j], gamma_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], X_here);
-            memcpy(X_out, pad[3], here * sizeof *X_out);
-            gs_v_store(pad[4], Y_here);
-            memcpy(Y_out, pad[4], here * sizeof *Y_out);
-            gs_v_store(pad[5], R_here);
-            memcpy(R_out, pad[5], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], g_in, rest), gs_padded(pad[2], gamma_in, rest), pad[3], pad[4], pad[5]);
+        memcpy(X_out, pad[3], rest * sizeof *X_out);
+        memcpy(Y_out, pad[4], rest * sizeof *Y_out);
+        memcpy(R_out, pad[5], rest * sizeof *R_out);
     }
 }
 
@@ -16710,55 +17749,64 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_n, GS_SUFFIX)(size_t count, const 
  * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *gamma_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
-            gamma_in = gs_padded_single(pad[2], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
-        gs_v X_here = gs_s_constant(0.0);
-        gs_v Y_here = gs_s_scaled(shared, 0.5);
-        gs_v R_here = gs_s_scaled(shared, 0.5);
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, factor1);
+            gs_v X_here = gs_s_constant(0.0);
+            gs_v Y_here = gs_mul(shared, gs_v_of(0.5));
+            gs_v R_here = gs_mul(shared, gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_drag(t_in[at + j], g_in[at + j], gamma_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], X_here);
-            memcpy(X_out, pad[3], here * sizeof *X_out);
-            gs_v_narrow(pad[4], Y_here);
-            memcpy(Y_out, pad[4], here * sizeof *Y_out);
-            gs_v_narrow(pad[5], R_here);
-            memcpy(R_out, pad[5], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, gamma_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], gamma_in, rest), pad[3], pad[4], pad[5]);
+        memcpy(X_out, pad[3], rest * sizeof *X_out);
+        memcpy(Y_out, pad[4], rest * sizeof *Y_out);
+        memcpy(R_out, pad[5], rest * sizeof *R_out);
     }
 }
 
@@ -16766,54 +17814,64 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nf, GS_SUFFIX)(size_t count, const
  * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        gs_v R_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, factor1);
+            gs_v X_here = gs_vp_value(gs_vp_constant(0.0));
+            gs_v Y_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            gs_v R_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_drag(t_in[at + j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_store(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_store(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), g_in, gamma_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -16821,7 +17879,6 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nu, GS_SUFFIX)(size_t count, const
  * Operations: 4 mul, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float gamma_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v gamma_here = gs_v_of(gamma_in);
@@ -16829,46 +17886,57 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(size_t count, cons
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+128));
     const gs_v g = gs_select(known, g_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
-        gs_v X_here = gs_s_constant(0.0);
-        gs_v Y_here = gs_s_scaled(shared, 0.5);
-        gs_v R_here = gs_s_scaled(shared, 0.5);
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_drag(t_in[j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, factor1);
+            gs_v X_here = gs_s_constant(0.0);
+            gs_v Y_here = gs_mul(shared, gs_v_of(0.5));
+            gs_v R_here = gs_mul(shared, gs_v_of(0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_drag(t_in[at + j], g_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_narrow(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_narrow(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), g_in, gamma_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -16876,59 +17944,68 @@ void GS_JOIN(gs_chord_synchronous_circle_drag_nuf, GS_SUFFIX)(size_t count, cons
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *g_in, const double *mu_in, const double *gamma_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
-            mu_in = gs_padded(pad[2], mu_in, here);
-            gamma_in = gs_padded(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v gamma_here = gs_v_load(gamma_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_felt(gs_select(good, gamma_here, one));
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v mu_here = gs_v_load(mu_in);
-        const gs_v gamma_here = gs_v_load(gamma_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        const gs_vp gamma = gs_vp_load(gs_felt(gs_select(good, gamma_here, one)));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, shared), 0.5));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu))), gs_vp_scaled(shared, 0.5)));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in[j], mu_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, factor1);
+            gs_v X_here = gs_mul(gs_vp_value(gs_vp_times(shared, mu)), gs_v_of(0.5));
+            gs_v Y_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            gs_v R_here = gs_vp_value(gs_vp_mul(gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_product(mu, mu))), gs_vp_scaled(shared, 0.5)));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction_drag(t_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], X_here);
-            memcpy(X_out, pad[4], here * sizeof *X_out);
-            gs_v_store(pad[5], Y_here);
-            memcpy(Y_out, pad[5], here * sizeof *Y_out);
-            gs_v_store(pad[6], R_here);
-            memcpy(R_out, pad[6], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[7][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], g_in, rest), gs_padded(pad[2], mu_in, rest), gs_padded(pad[3], gamma_in, rest), pad[4], pad[5], pad[6]);
+        memcpy(X_out, pad[4], rest * sizeof *X_out);
+        memcpy(Y_out, pad[5], rest * sizeof *Y_out);
+        memcpy(R_out, pad[6], rest * sizeof *R_out);
     }
 }
 
@@ -16936,59 +18013,68 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_n, GS_SUFFIX)(size_t coun
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *g_in, const float *mu_in, const float *gamma_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
-            mu_in = gs_padded_single(pad[2], mu_in, here);
-            gamma_in = gs_padded_single(pad[3], gamma_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v gamma_here = gs_v_widen(gamma_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v gamma = gs_select(good, gamma_here, one);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v mu_here = gs_v_widen(mu_in);
-        const gs_v gamma_here = gs_v_widen(gamma_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(mu_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(gamma_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v mu = gs_select(good, mu_here, one);
-        const gs_v gamma = gs_select(good, gamma_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
-        gs_v X_here = gs_s_scaled(gs_s_mul(mu, shared), 0.5);
-        gs_v Y_here = gs_s_scaled(shared, 0.5);
-        gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(shared, 0.5));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in[j], mu_in[j], gamma_in[j], X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, factor1);
+            gs_v X_here = gs_mul(gs_s_mul(mu, shared), gs_v_of(0.5));
+            gs_v Y_here = gs_mul(shared, gs_v_of(0.5));
+            gs_v R_here = gs_s_mul(gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &good)), gs_s_scaled(shared, 0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction_drag(t_in[at + j], g_in[at + j], mu_in[at + j], gamma_in[at + j], X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], X_here);
-            memcpy(X_out, pad[4], here * sizeof *X_out);
-            gs_v_narrow(pad[5], Y_here);
-            memcpy(Y_out, pad[5], here * sizeof *Y_out);
-            gs_v_narrow(pad[6], R_here);
-            memcpy(R_out, pad[6], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, g_in += GS_LANES, mu_in += GS_LANES, gamma_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, g_in += block * GS_LANES, mu_in += block * GS_LANES, gamma_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[7][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], mu_in, rest), gs_padded_single(pad[3], gamma_in, rest), pad[4], pad[5], pad[6]);
+        memcpy(X_out, pad[4], rest * sizeof *X_out);
+        memcpy(Y_out, pad[5], rest * sizeof *Y_out);
+        memcpy(R_out, pad[6], rest * sizeof *R_out);
     }
 }
 
@@ -16996,7 +18082,6 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nf, GS_SUFFIX)(size_t cou
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, double g_in, double mu_in, double gamma_in, double *X_out, double *Y_out, double *R_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -17004,50 +18089,61 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
     gs_mask known = gs_between(g_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between_or_0(mu_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(gamma_here, 0.0, 0x1p+100));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp mu = gs_vp_load(gs_select(known, mu_here, one));
-    const gs_vp gamma = gs_vp_load(gs_felt(gs_select(known, gamma_here, one)));
-    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(mu, mu)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v mu = gs_select(known, mu_here, one);
+    const gs_v gamma = gs_felt(gs_select(known, gamma_here, one));
+    const gs_vp once1 = gs_vp_sqrt(gs_vp_add(gs_vp_constant(1.0), gs_vp_product(mu, mu)));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp z = gs_vp_product(gamma, t);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        const gs_vp z = gs_vp_mul(t, gamma);
-        const gs_vp shared = gs_vp_mul(fall, gs_vp_phi2m(z));
-        gs_v X_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(mu, shared), 0.5));
-        gs_v Y_here = gs_vp_value(gs_vp_scaled(shared, 0.5));
-        gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(shared, 0.5)));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_vp_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            const gs_vp shared = gs_vp_mul(fall, factor1);
+            gs_v X_here = gs_mul(gs_vp_value(gs_vp_times(shared, mu)), gs_v_of(0.5));
+            gs_v Y_here = gs_mul(gs_vp_value(shared), gs_v_of(0.5));
+            gs_v R_here = gs_vp_value(gs_vp_mul(once1, gs_vp_scaled(shared, 0.5)));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction_drag(t_in[at + j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_store(X_out + at, X_here);
+            gs_v_store(Y_out + at, Y_here);
+            gs_v_store(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_store(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_store(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_store(X_out, X_here);
-        gs_v_store(Y_out, Y_here);
-        gs_v_store(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), g_in, mu_in, gamma_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -17055,7 +18151,6 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nu, GS_SUFFIX)(size_t cou
  * Operations: 1 add, 7 mul, 1 sqrt, 1 table. */
 void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, float g_in, float mu_in, float gamma_in, float *X_out, float *Y_out, float *R_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v g_here = gs_v_of(g_in);
     const gs_v mu_here = gs_v_of(mu_in);
@@ -17067,46 +18162,57 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(size_t co
     const gs_v mu = gs_select(known, mu_here, one);
     const gs_v gamma = gs_select(known, gamma_here, one);
     const gs_v once1 = gs_s_sqrt(gs_s_add(gs_s_constant(1.0), gs_s_mul(mu, mu), &known));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v z = gs_s_mul(t, gamma);
+            good_kept[i] = good;
+            z_kept[i] = z;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        const gs_v z = gs_s_mul(t, gamma);
-        const gs_v shared = gs_s_mul(fall, gs_s_phi2m(z));
-        gs_v X_here = gs_s_scaled(gs_s_mul(mu, shared), 0.5);
-        gs_v Y_here = gs_s_scaled(shared, 0.5);
-        gs_v R_here = gs_s_mul(once1, gs_s_scaled(shared, 0.5));
-        if (!gs_all(good)) {
-            double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
-            gs_v_store(X_each, X_here);
-            gs_v_store(Y_each, Y_here);
-            gs_v_store(R_each, R_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_chord_synchronous_circle_friction_drag(t_in[j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
-            X_here = gs_v_load(X_each);
-            Y_here = gs_v_load(Y_each);
-            R_here = gs_v_load(R_each);
+        gs_s_phi2m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            const gs_v shared = gs_s_mul(fall, factor1);
+            gs_v X_here = gs_mul(gs_s_mul(mu, shared), gs_v_of(0.5));
+            gs_v Y_here = gs_mul(shared, gs_v_of(0.5));
+            gs_v R_here = gs_s_mul(once1, gs_s_scaled(shared, 0.5));
+            if (!gs_all(good)) {
+                double X_each[GS_LANES], Y_each[GS_LANES], R_each[GS_LANES];
+                gs_v_store(X_each, X_here);
+                gs_v_store(Y_each, Y_here);
+                gs_v_store(R_each, R_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_chord_synchronous_circle_friction_drag(t_in[at + j], g_in, mu_in, gamma_in, X_each + j, Y_each + j, R_each + j);
+                X_here = gs_v_load(X_each);
+                Y_here = gs_v_load(Y_each);
+                R_here = gs_v_load(R_each);
+            }
+            gs_v_narrow(X_out + at, X_here);
+            gs_v_narrow(Y_out + at, Y_here);
+            gs_v_narrow(R_out + at, R_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], X_here);
-            memcpy(X_out, pad[1], here * sizeof *X_out);
-            gs_v_narrow(pad[2], Y_here);
-            memcpy(Y_out, pad[2], here * sizeof *Y_out);
-            gs_v_narrow(pad[3], R_here);
-            memcpy(R_out, pad[3], here * sizeof *R_out);
-            return;
-        }
-        gs_v_narrow(X_out, X_here);
-        gs_v_narrow(Y_out, Y_here);
-        gs_v_narrow(R_out, R_here);
-        count -= GS_LANES, t_in += GS_LANES, X_out += GS_LANES, Y_out += GS_LANES, R_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, X_out += block * GS_LANES, Y_out += block * GS_LANES, R_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), g_in, mu_in, gamma_in, pad[1], pad[2], pad[3]);
+        memcpy(X_out, pad[1], rest * sizeof *X_out);
+        memcpy(Y_out, pad[2], rest * sizeof *Y_out);
+        memcpy(R_out, pad[3], rest * sizeof *R_out);
     }
 }
 
@@ -17114,32 +18220,43 @@ void GS_JOIN(gs_chord_synchronous_circle_friction_drag_nuf, GS_SUFFIX)(size_t co
  * Operations: 1 table. */
 void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in, double *angle_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            mu_in = gs_padded(pad[0], mu_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp factor1_of_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v mu_here = gs_v_load(mu_in + at);
+            gs_mask good = gs_between_or_0(mu_here, 0x1p-100, 0x1p+100);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_vp factor1_of = gs_vp_load(mu);
+            good_kept[i] = good;
+            factor1_of_kept[i] = factor1_of;
         }
-        const gs_v mu_here = gs_v_load(mu_in);
-        gs_mask good = gs_between_or_0(mu_here, 0x1p-100, 0x1p+100);
-        const gs_vp mu = gs_vp_load(gs_select(good, mu_here, one));
-        gs_v angle_here = gs_vp_value(gs_vp_acot(mu));
-        if (!gs_all(good)) {
-            double angle_each[GS_LANES];
-            gs_v_store(angle_each, angle_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    angle_each[j] = gs_scaled_chord_max_angle(mu_in[j]);
-            angle_here = gs_v_load(angle_each);
+        gs_vp_acot_each(block, factor1_of_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            gs_v angle_here = gs_vp_value(factor1);
+            if (!gs_all(good)) {
+                double angle_each[GS_LANES];
+                gs_v_store(angle_each, angle_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        angle_each[j] = gs_scaled_chord_max_angle(mu_in[at + j]);
+                angle_here = gs_v_load(angle_each);
+            }
+            gs_v_store(angle_out + at, angle_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], angle_here);
-            memcpy(angle_out, pad[1], here * sizeof *angle_out);
-            return;
-        }
-        gs_v_store(angle_out, angle_here);
-        count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
+        vectors -= block, mu_in += block * GS_LANES, angle_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], mu_in, rest), pad[1]);
+        memcpy(angle_out, pad[1], rest * sizeof *angle_out);
     }
 }
 
@@ -17147,32 +18264,43 @@ void GS_JOIN(gs_chord_max_angle_n, GS_SUFFIX)(size_t count, const double *mu_in,
  * Operations: 1 table. */
 void GS_JOIN(gs_chord_max_angle_nf, GS_SUFFIX)(size_t count, const float *mu_in, float *angle_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            mu_in = gs_padded_single(pad[0], mu_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v factor1_of_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v mu_here = gs_v_widen(mu_in + at);
+            gs_mask good = gs_between(mu_here, 0.0, 0x1p+128);
+            const gs_v mu = gs_select(good, mu_here, one);
+            const gs_v factor1_of = mu;
+            good_kept[i] = good;
+            factor1_of_kept[i] = factor1_of;
         }
-        const gs_v mu_here = gs_v_widen(mu_in);
-        gs_mask good = gs_between(mu_here, 0.0, 0x1p+128);
-        const gs_v mu = gs_select(good, mu_here, one);
-        gs_v angle_here = gs_s_acot(mu);
-        if (!gs_all(good)) {
-            double angle_each[GS_LANES];
-            gs_v_store(angle_each, angle_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    angle_each[j] = gs_scaled_chord_max_angle(mu_in[j]);
-            angle_here = gs_v_load(angle_each);
+        gs_s_acot_each(block, factor1_of_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            gs_v angle_here = factor1;
+            if (!gs_all(good)) {
+                double angle_each[GS_LANES];
+                gs_v_store(angle_each, angle_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        angle_each[j] = gs_scaled_chord_max_angle(mu_in[at + j]);
+                angle_here = gs_v_load(angle_each);
+            }
+            gs_v_narrow(angle_out + at, angle_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], angle_here);
-            memcpy(angle_out, pad[1], here * sizeof *angle_out);
-            return;
-        }
-        gs_v_narrow(angle_out, angle_here);
-        count -= GS_LANES, mu_in += GS_LANES, angle_out += GS_LANES;
+        vectors -= block, mu_in += block * GS_LANES, angle_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_chord_max_angle_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], mu_in, rest), pad[1]);
+        memcpy(angle_out, pad[1], rest * sizeof *angle_out);
     }
 }
 
@@ -17180,43 +18308,57 @@ void GS_JOIN(gs_chord_max_angle_nf, GS_SUFFIX)(size_t count, const float *mu_in,
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *time_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp S = gs_vp_sine_of(theta_used);
+            good_kept[i] = good;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        gs_v time_here = gs_vp_value(gs_vp_scaled(rise, 2.0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[j], v_in[j], g_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], time_here);
-            memcpy(time_out, pad[3], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_vp_value(rise), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[at + j], v_in[at + j], g_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(time_out, pad[3], rest * sizeof *time_out);
     }
 }
 
@@ -17224,43 +18366,57 @@ void GS_JOIN(gs_projectile_flight_time_free_n, GS_SUFFIX)(size_t count, const do
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *time_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v S = gs_s_sine_of(theta_used);
+            good_kept[i] = good;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        gs_v time_here = gs_s_scaled(rise, 2.0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], time_here);
-            memcpy(time_out, pad[3], here * sizeof *time_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v time_here = gs_mul(rise, gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(time_out, pad[3], rest * sizeof *time_out);
     }
 }
 
@@ -17268,42 +18424,51 @@ void GS_JOIN(gs_projectile_flight_time_free_nf, GS_SUFFIX)(size_t count, const f
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp S = gs_vp_sine_of(theta_used);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        gs_v time_here = gs_vp_value(gs_vp_scaled(rise, 2.0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[j], v_in, g_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_vp_value(rise), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_free(theta_in[at + j], v_in, g_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -17311,7 +18476,6 @@ void GS_JOIN(gs_projectile_flight_time_free_nu, GS_SUFFIX)(size_t count, const d
  * Operations: 1 div, 1 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -17319,34 +18483,44 @@ void GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(size_t count, const 
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v S = gs_s_sine_of(theta_used);
+            const gs_v rise = gs_s_mul(once1, S);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        gs_v time_here = gs_s_scaled(rise, 2.0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[j]), v_in, g_in);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v time_here = gs_mul(rise, gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_free(gs_wide_angle(theta_in[at + j]), v_in, g_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -17354,48 +18528,65 @@ void GS_JOIN(gs_projectile_flight_time_free_nuf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *time_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            k_in = gs_padded(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp S = gs_vp_sine_of(theta_used);
+            good_kept[i] = good;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v time_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            const gs_vp b = gs_vp_times(rise, k);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
+        gs_vp_flight_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_vp_value(gs_vp_mul(rise, factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
@@ -17403,48 +18594,65 @@ void GS_JOIN(gs_projectile_flight_time_drag_n, GS_SUFFIX)(size_t count, const do
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *time_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            k_in = gs_padded_single(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v S = gs_s_sine_of(theta_used);
+            good_kept[i] = good;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v time_here = gs_s_scaled(gs_s_mul(rise, gs_s_flight_factor(b)), 2.0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
-            time_here = gs_v_load(time_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            const gs_v b = gs_s_mul(k, rise);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], time_here);
-            memcpy(time_out, pad[4], here * sizeof *time_out);
-            return;
+        gs_s_flight_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_s_mul(rise, factor1), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j]);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4]);
+        memcpy(time_out, pad[4], rest * sizeof *time_out);
     }
 }
 
@@ -17452,7 +18660,6 @@ void GS_JOIN(gs_projectile_flight_time_drag_nf, GS_SUFFIX)(size_t count, const f
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *time_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -17460,38 +18667,51 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp S = gs_vp_sine_of(theta_used);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp b = gs_vp_times(rise, k);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v time_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(rise, gs_vp_flight_factor(b)), 2.0));
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[j], v_in, g_in, k_in);
-            time_here = gs_v_load(time_each);
+        gs_vp_flight_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_vp_value(gs_vp_mul(rise, factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_drag(theta_in[at + j], v_in, g_in, k_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_store(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_store(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -17499,7 +18719,6 @@ void GS_JOIN(gs_projectile_flight_time_drag_nu, GS_SUFFIX)(size_t count, const d
  * Operations: 1 div, 3 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *time_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -17510,35 +18729,48 @@ void GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(size_t count, const 
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v S = gs_s_sine_of(theta_used);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v b = gs_s_mul(k, rise);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v time_here = gs_s_scaled(gs_s_mul(rise, gs_s_flight_factor(b)), 2.0);
-        if (!gs_all(good)) {
-            double time_each[GS_LANES];
-            gs_v_store(time_each, time_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
-            time_here = gs_v_load(time_each);
+        gs_s_flight_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v time_here = gs_mul(gs_s_mul(rise, factor1), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double time_each[GS_LANES];
+                gs_v_store(time_each, time_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        time_each[j] = gs_scaled_projectile_flight_time_drag(gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in);
+                time_here = gs_v_load(time_each);
+            }
+            gs_v_narrow(time_out + at, time_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], time_here);
-            memcpy(time_out, pad[1], here * sizeof *time_out);
-            return;
-        }
-        gs_v_narrow(time_out, time_here);
-        count -= GS_LANES, theta_in += GS_LANES, time_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, time_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(time_out, pad[1], rest * sizeof *time_out);
     }
 }
 
@@ -17546,44 +18778,63 @@ void GS_JOIN(gs_projectile_flight_time_drag_nuf, GS_SUFFIX)(size_t count, const 
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *range_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[j], v_in[j], g_in[j]);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], range_here);
-            memcpy(range_out, pad[3], here * sizeof *range_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_times(rise, v), C)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[at + j], v_in[at + j], g_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(range_out, pad[3], rest * sizeof *range_out);
     }
 }
 
@@ -17591,44 +18842,63 @@ void GS_JOIN(gs_projectile_horizontal_range_free_n, GS_SUFFIX)(size_t count, con
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *range_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(v, rise), C), 2.0);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], range_here);
-            memcpy(range_out, pad[3], here * sizeof *range_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(range_out, pad[3], rest * sizeof *range_out);
     }
 }
 
@@ -17636,43 +18906,55 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nf, GS_SUFFIX)(size_t count, co
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *range_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp rise_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(v, rise), C), 2.0));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[j], v_in, g_in);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_times(rise, v), C)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_free(theta_in[at + j], v_in, g_in);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], range_here);
-            memcpy(range_out, pad[1], here * sizeof *range_out);
-            return;
-        }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(range_out, pad[1], rest * sizeof *range_out);
     }
 }
 
@@ -17680,7 +18962,6 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nu, GS_SUFFIX)(size_t count, co
  * Operations: 1 div, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *range_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -17688,35 +18969,48 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(size_t count, c
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v rise_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(v, rise), C), 2.0);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[j]), v_in, g_in);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_free(gs_wide_angle(theta_in[at + j]), v_in, g_in);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], range_here);
-            memcpy(range_out, pad[1], here * sizeof *range_out);
-            return;
-        }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(range_out, pad[1], rest * sizeof *range_out);
     }
 }
 
@@ -17724,49 +19018,71 @@ void GS_JOIN(gs_projectile_horizontal_range_free_nuf, GS_SUFFIX)(size_t count, c
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *range_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            k_in = gs_padded(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            const gs_vp b = gs_vp_times(rise, k);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], range_here);
-            memcpy(range_out, pad[4], here * sizeof *range_out);
-            return;
+        gs_vp_range_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_times(rise, v), C), factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4]);
+        memcpy(range_out, pad[4], rest * sizeof *range_out);
     }
 }
 
@@ -17774,49 +19090,71 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_n, GS_SUFFIX)(size_t count, con
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *range_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            k_in = gs_padded_single(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_s_range_factor(b)), 2.0);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
-            range_here = gs_v_load(range_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            const gs_v b = gs_s_mul(k, rise);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], range_here);
-            memcpy(range_out, pad[4], here * sizeof *range_out);
-            return;
+        gs_s_range_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), factor1), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4]);
+        memcpy(range_out, pad[4], rest * sizeof *range_out);
     }
 }
 
@@ -17824,7 +19162,6 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nf, GS_SUFFIX)(size_t count, co
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *range_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -17832,39 +19169,55 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp rise_kept[GS_GROUP], C_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp b = gs_vp_times(rise, k);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v range_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, rise), C), gs_vp_range_factor(b)), 2.0));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[j], v_in, g_in, k_in);
-            range_here = gs_v_load(range_each);
+        gs_vp_range_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_times(rise, v), C), factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_drag(theta_in[at + j], v_in, g_in, k_in);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], range_here);
-            memcpy(range_out, pad[1], here * sizeof *range_out);
-            return;
-        }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(range_out, pad[1], rest * sizeof *range_out);
     }
 }
 
@@ -17872,7 +19225,6 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nu, GS_SUFFIX)(size_t count, co
  * Operations: 1 div, 5 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *range_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -17883,36 +19235,52 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(size_t count, c
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v rise_kept[GS_GROUP], C_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v b = gs_s_mul(k, rise);
+            good_kept[i] = good;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v range_here = gs_s_scaled(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), gs_s_range_factor(b)), 2.0);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
-            range_here = gs_v_load(range_each);
+        gs_s_range_factor_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v range_here = gs_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, rise), C), factor1), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_horizontal_range_drag(gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], range_here);
-            memcpy(range_out, pad[1], here * sizeof *range_out);
-            return;
-        }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, theta_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(range_out, pad[1], rest * sizeof *range_out);
     }
 }
 
@@ -17920,55 +19288,65 @@ void GS_JOIN(gs_projectile_horizontal_range_drag_nuf, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, double *x_out, double *y_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            v_in = gs_padded(pad[2], v_in, here);
-            g_in = gs_padded(pad[3], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp reach = gs_vp_mul(t, v);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
-        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_free(t_in[j], theta_in[j], v_in[j], g_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp reach = gs_vp_product(v, t);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+            gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_free(t_in[at + j], theta_in[at + j], v_in[at + j], g_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_store(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], v_in, rest), gs_padded(pad[3], g_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -17976,55 +19354,65 @@ void GS_JOIN(gs_projectile_position_free_n, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, float *x_out, float *y_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            v_in = gs_padded_single(pad[2], v_in, here);
-            g_in = gs_padded_single(pad[3], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v reach = gs_s_mul(t, v);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v x_here = gs_s_mul(reach, C);
-        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_free(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v reach = gs_s_mul(t, v);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v x_here = gs_s_mul(reach, C);
+            gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], x_here);
-            memcpy(x_out, pad[4], here * sizeof *x_out);
-            gs_v_narrow(pad[5], y_here);
-            memcpy(y_out, pad[5], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_position_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], v_in, rest), gs_padded_single(pad[3], g_in, rest), pad[4], pad[5]);
+        memcpy(x_out, pad[4], rest * sizeof *x_out);
+        memcpy(y_out, pad[5], rest * sizeof *y_out);
     }
 }
 
@@ -18032,54 +19420,64 @@ void GS_JOIN(gs_projectile_position_free_nf, GS_SUFFIX)(size_t count, const floa
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp reach = gs_vp_mul(t, v);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
-        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_free(t_in[j], theta_in[j], v_in, g_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp reach = gs_vp_product(v, t);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+            gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_scaled(fall, 0.5)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_free(t_in[at + j], theta_in[at + j], v_in, g_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), v_in, g_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -18087,7 +19485,6 @@ void GS_JOIN(gs_projectile_position_free_nu, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 add, 5 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -18095,46 +19492,57 @@ void GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(size_t count, const flo
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v reach = gs_s_mul(t, v);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v x_here = gs_s_mul(reach, C);
-        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_free(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v reach = gs_s_mul(t, v);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v x_here = gs_s_mul(reach, C);
+            gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_scaled(fall, 0.5), &good);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in, g_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), v_in, g_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -18142,60 +19550,75 @@ void GS_JOIN(gs_projectile_position_free_nuf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *x_out, double *y_out)
 {
-    double pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            v_in = gs_padded(pad[2], v_in, here);
-            g_in = gs_padded(pad[3], g_in, here);
-            k_in = gs_padded(pad[4], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp z = gs_vp_product(k, t);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp z = gs_vp_mul(t, k);
-        const gs_vp reach = gs_vp_mul(gs_vp_mul(t, v), gs_vp_phi1m(z));
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
-        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z))));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_drag(t_in[j], theta_in[j], v_in[j], g_in[j], k_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        gs_vp_phi2m_each(block, z_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp factor2 = factor2_kept[i];
+            const gs_vp reach = gs_vp_mul(gs_vp_product(v, t), factor1);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+            gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, factor2)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_drag(t_in[at + j], theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], x_here);
-            memcpy(x_out, pad[5], here * sizeof *x_out);
-            gs_v_store(pad[6], y_here);
-            memcpy(y_out, pad[6], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[7][GS_LANES];
+        GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], v_in, rest), gs_padded(pad[3], g_in, rest), gs_padded(pad[4], k_in, rest), pad[5], pad[6]);
+        memcpy(x_out, pad[5], rest * sizeof *x_out);
+        memcpy(y_out, pad[6], rest * sizeof *y_out);
     }
 }
 
@@ -18203,60 +19626,75 @@ void GS_JOIN(gs_projectile_position_drag_n, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *x_out, float *y_out)
 {
-    float pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            v_in = gs_padded_single(pad[2], v_in, here);
-            g_in = gs_padded_single(pad[3], g_in, here);
-            k_in = gs_padded_single(pad[4], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v z = gs_s_mul(t, k);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v z = gs_s_mul(t, k);
-        const gs_v reach = gs_s_mul(gs_s_mul(t, v), gs_s_phi1m(z));
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v x_here = gs_s_mul(reach, C);
-        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, gs_s_phi2m(z)), &good);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j], x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        gs_s_phi2m_each(block, z_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v factor2 = factor2_kept[i];
+            const gs_v reach = gs_s_mul(gs_s_mul(t, v), factor1);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v x_here = gs_s_mul(reach, C);
+            gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, factor2), &good);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j], x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], x_here);
-            memcpy(x_out, pad[5], here * sizeof *x_out);
-            gs_v_narrow(pad[6], y_here);
-            memcpy(y_out, pad[6], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[7][GS_LANES];
+        GS_JOIN(gs_projectile_position_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], v_in, rest), gs_padded_single(pad[3], g_in, rest), gs_padded_single(pad[4], k_in, rest), pad[5], pad[6]);
+        memcpy(x_out, pad[5], rest * sizeof *x_out);
+        memcpy(y_out, pad[6], rest * sizeof *y_out);
     }
 }
 
@@ -18264,7 +19702,6 @@ void GS_JOIN(gs_projectile_position_drag_nf, GS_SUFFIX)(size_t count, const floa
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *x_out, double *y_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -18272,50 +19709,67 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp z = gs_vp_product(k, t);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp z = gs_vp_mul(t, k);
-        const gs_vp reach = gs_vp_mul(gs_vp_mul(t, v), gs_vp_phi1m(z));
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp fall = gs_vp_mul(gs_vp_mul(t, t), g);
-        gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
-        gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, gs_vp_phi2m(z))));
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_drag(t_in[j], theta_in[j], v_in, g_in, k_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        gs_vp_phi2m_each(block, z_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp factor2 = factor2_kept[i];
+            const gs_vp reach = gs_vp_mul(gs_vp_product(v, t), factor1);
+            const gs_vp fall = gs_vp_times(gs_vp_product(t, t), g);
+            gs_v x_here = gs_vp_value(gs_vp_mul(reach, C));
+            gs_v y_here = gs_vp_value(gs_vp_sub(gs_vp_mul(reach, S), gs_vp_mul(fall, factor2)));
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_drag(t_in[at + j], theta_in[at + j], v_in, g_in, k_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_store(x_out + at, x_here);
+            gs_v_store(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_store(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_store(x_out, x_here);
-        gs_v_store(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), v_in, g_in, k_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -18323,7 +19777,6 @@ void GS_JOIN(gs_projectile_position_drag_nu, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 add, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float k_in, float *x_out, float *y_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -18334,47 +19787,64 @@ void GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(size_t count, const flo
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v z = gs_s_mul(t, k);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v z = gs_s_mul(t, k);
-        const gs_v reach = gs_s_mul(gs_s_mul(t, v), gs_s_phi1m(z));
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
-        gs_v x_here = gs_s_mul(reach, C);
-        gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, gs_s_phi2m(z)), &good);
-        if (!gs_all(good)) {
-            double x_each[GS_LANES], y_each[GS_LANES];
-            gs_v_store(x_each, x_here);
-            gs_v_store(y_each, y_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_position_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, k_in, x_each + j, y_each + j);
-            x_here = gs_v_load(x_each);
-            y_here = gs_v_load(y_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        gs_s_phi2m_each(block, z_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v factor2 = factor2_kept[i];
+            const gs_v reach = gs_s_mul(gs_s_mul(t, v), factor1);
+            const gs_v fall = gs_s_mul(gs_s_mul(t, t), g);
+            gs_v x_here = gs_s_mul(reach, C);
+            gs_v y_here = gs_s_sub(gs_s_mul(reach, S), gs_s_mul(fall, factor2), &good);
+            if (!gs_all(good)) {
+                double x_each[GS_LANES], y_each[GS_LANES];
+                gs_v_store(x_each, x_here);
+                gs_v_store(y_each, y_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_position_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in, x_each + j, y_each + j);
+                x_here = gs_v_load(x_each);
+                y_here = gs_v_load(y_each);
+            }
+            gs_v_narrow(x_out + at, x_here);
+            gs_v_narrow(y_out + at, y_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], x_here);
-            memcpy(x_out, pad[2], here * sizeof *x_out);
-            gs_v_narrow(pad[3], y_here);
-            memcpy(y_out, pad[3], here * sizeof *y_out);
-            return;
-        }
-        gs_v_narrow(x_out, x_here);
-        gs_v_narrow(y_out, y_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, x_out += GS_LANES, y_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, x_out += block * GS_LANES, y_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), v_in, g_in, k_in, pad[2], pad[3]);
+        memcpy(x_out, pad[2], rest * sizeof *x_out);
+        memcpy(y_out, pad[3], rest * sizeof *y_out);
     }
 }
 
@@ -18382,53 +19852,63 @@ void GS_JOIN(gs_projectile_position_drag_nuf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, double *vx_out, double *vy_out)
 {
-    double pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            v_in = gs_padded(pad[2], v_in, here);
-            g_in = gs_padded(pad[3], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = gs_vp_value(gs_vp_mul(v, C));
-        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g)));
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_free(t_in[j], theta_in[j], v_in[j], g_in[j], vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            gs_v vx_here = gs_vp_value(gs_vp_times(C, v));
+            gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_times(S, v), gs_vp_product(g, t)));
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_free(t_in[at + j], theta_in[at + j], v_in[at + j], g_in[at + j], vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_store(vx_out + at, vx_here);
+            gs_v_store(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], vx_here);
-            memcpy(vx_out, pad[4], here * sizeof *vx_out);
-            gs_v_store(pad[5], vy_here);
-            memcpy(vy_out, pad[5], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_store(vx_out, vx_here);
-        gs_v_store(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], v_in, rest), gs_padded(pad[3], g_in, rest), pad[4], pad[5]);
+        memcpy(vx_out, pad[4], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[5], rest * sizeof *vy_out);
     }
 }
 
@@ -18436,53 +19916,63 @@ void GS_JOIN(gs_projectile_velocity_free_n, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, float *vx_out, float *vy_out)
 {
-    float pad[6][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            v_in = gs_padded_single(pad[2], v_in, here);
-            g_in = gs_padded_single(pad[3], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v vx_here = gs_s_mul(v, C);
-        gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_free(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            gs_v vx_here = gs_s_mul(v, C);
+            gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_narrow(vx_out + at, vx_here);
+            gs_v_narrow(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], vx_here);
-            memcpy(vx_out, pad[4], here * sizeof *vx_out);
-            gs_v_narrow(pad[5], vy_here);
-            memcpy(vy_out, pad[5], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_narrow(vx_out, vx_here);
-        gs_v_narrow(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], v_in, rest), gs_padded_single(pad[3], g_in, rest), pad[4], pad[5]);
+        memcpy(vx_out, pad[4], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[5], rest * sizeof *vy_out);
     }
 }
 
@@ -18490,52 +19980,62 @@ void GS_JOIN(gs_projectile_velocity_free_nf, GS_SUFFIX)(size_t count, const floa
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double *vx_out, double *vy_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = gs_vp_value(gs_vp_mul(v, C));
-        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(v, S), gs_vp_mul(t, g)));
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_free(t_in[j], theta_in[j], v_in, g_in, vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            gs_v vx_here = gs_vp_value(gs_vp_times(C, v));
+            gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_times(S, v), gs_vp_product(g, t)));
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_free(t_in[at + j], theta_in[at + j], v_in, g_in, vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_store(vx_out + at, vx_here);
+            gs_v_store(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], vx_here);
-            memcpy(vx_out, pad[2], here * sizeof *vx_out);
-            gs_v_store(pad[3], vy_here);
-            memcpy(vy_out, pad[3], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_store(vx_out, vx_here);
-        gs_v_store(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), v_in, g_in, pad[2], pad[3]);
+        memcpy(vx_out, pad[2], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[3], rest * sizeof *vy_out);
     }
 }
 
@@ -18543,7 +20043,6 @@ void GS_JOIN(gs_projectile_velocity_free_nu, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 add, 3 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float *vx_out, float *vy_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -18551,44 +20050,55 @@ void GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(size_t count, const flo
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v vx_here = gs_s_mul(v, C);
-        gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_free(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            gs_v vx_here = gs_s_mul(v, C);
+            gs_v vy_here = gs_s_sub(gs_s_mul(v, S), gs_s_mul(t, g), &good);
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_free(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in, g_in, vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_narrow(vx_out + at, vx_here);
+            gs_v_narrow(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], vx_here);
-            memcpy(vx_out, pad[2], here * sizeof *vx_out);
-            gs_v_narrow(pad[3], vy_here);
-            memcpy(vy_out, pad[3], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_narrow(vx_out, vx_here);
-        gs_v_narrow(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), v_in, g_in, pad[2], pad[3]);
+        memcpy(vx_out, pad[2], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[3], rest * sizeof *vy_out);
     }
 }
 
@@ -18596,59 +20106,73 @@ void GS_JOIN(gs_projectile_velocity_free_nuf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *vx_out, double *vy_out)
 {
-    double pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
-            v_in = gs_padded(pad[2], v_in, here);
-            g_in = gs_padded(pad[3], g_in, here);
-            k_in = gs_padded(pad[4], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp z = gs_vp_product(k, t);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(t_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp z = gs_vp_mul(t, k);
-        const gs_vp fade = gs_vp_phi0m(z, &good);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_mul(v, fade), C));
-        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z))));
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_drag(t_in[j], theta_in[j], v_in[j], g_in[j], k_in[j], vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp z = z_kept[i];
+            const gs_vp fade = gs_vp_phi0m(z, &good);
+            gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_times(fade, v), C));
+            gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_times(fade, v), S), gs_vp_mul(gs_vp_product(g, t), factor1)));
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_drag(t_in[at + j], theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j], vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_store(vx_out + at, vx_here);
+            gs_v_store(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[5], vx_here);
-            memcpy(vx_out, pad[5], here * sizeof *vx_out);
-            gs_v_store(pad[6], vy_here);
-            memcpy(vy_out, pad[6], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_store(vx_out, vx_here);
-        gs_v_store(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[7][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), gs_padded(pad[2], v_in, rest), gs_padded(pad[3], g_in, rest), gs_padded(pad[4], k_in, rest), pad[5], pad[6]);
+        memcpy(vx_out, pad[5], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[6], rest * sizeof *vy_out);
     }
 }
 
@@ -18656,59 +20180,73 @@ void GS_JOIN(gs_projectile_velocity_drag_n, GS_SUFFIX)(size_t count, const doubl
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_nf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *vx_out, float *vy_out)
 {
-    float pad[7][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
-            v_in = gs_padded_single(pad[2], v_in, here);
-            g_in = gs_padded_single(pad[3], g_in, here);
-            k_in = gs_padded_single(pad[4], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v z = gs_s_mul(t, k);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(t_here, 0.0, 0x1p+128);
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v z = gs_s_mul(t, k);
-        const gs_v fade = gs_s_phi0m(z);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
-        gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), gs_s_phi1m(z)), &good);
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j], vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v z = z_kept[i];
+            const gs_v fade = gs_s_phi0m(z);
+            gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
+            gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), factor1), &good);
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j], vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_narrow(vx_out + at, vx_here);
+            gs_v_narrow(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[5], vx_here);
-            memcpy(vx_out, pad[5], here * sizeof *vx_out);
-            gs_v_narrow(pad[6], vy_here);
-            memcpy(vy_out, pad[6], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_narrow(vx_out, vx_here);
-        gs_v_narrow(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[7][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), gs_padded_single(pad[2], v_in, rest), gs_padded_single(pad[3], g_in, rest), gs_padded_single(pad[4], k_in, rest), pad[5], pad[6]);
+        memcpy(vx_out, pad[5], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[6], rest * sizeof *vy_out);
     }
 }
 
@@ -18716,7 +20254,6 @@ void GS_JOIN(gs_projectile_velocity_drag_nf, GS_SUFFIX)(size_t count, const floa
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const double *t_in, const double *theta_in, double v_in, double g_in, double k_in, double *vx_out, double *vy_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -18724,49 +20261,65 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded(pad[0], t_in, here);
-            theta_in = gs_padded(pad[1], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    gs_mask good_kept[GS_GROUP];
+    gs_vp z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_vp z = gs_vp_product(k, t);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_load(t_in);
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(t_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_vp t = gs_vp_load(gs_select(good, t_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_vp z = gs_vp_mul(t, k);
-        const gs_vp fade = gs_vp_phi0m(z, &good);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_mul(v, fade), C));
-        gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_mul(v, fade), S), gs_vp_mul(gs_vp_mul(t, g), gs_vp_phi1m(z))));
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_drag(t_in[j], theta_in[j], v_in, g_in, k_in, vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        gs_vp_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_load(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp z = z_kept[i];
+            const gs_vp fade = gs_vp_phi0m(z, &good);
+            gs_v vx_here = gs_vp_value(gs_vp_mul(gs_vp_times(fade, v), C));
+            gs_v vy_here = gs_vp_value(gs_vp_sub(gs_vp_mul(gs_vp_times(fade, v), S), gs_vp_mul(gs_vp_product(g, t), factor1)));
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_drag(t_in[at + j], theta_in[at + j], v_in, g_in, k_in, vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_store(vx_out + at, vx_here);
+            gs_v_store(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], vx_here);
-            memcpy(vx_out, pad[2], here * sizeof *vx_out);
-            gs_v_store(pad[3], vy_here);
-            memcpy(vy_out, pad[3], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_store(vx_out, vx_here);
-        gs_v_store(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], t_in, rest), gs_padded(pad[1], theta_in, rest), v_in, g_in, k_in, pad[2], pad[3]);
+        memcpy(vx_out, pad[2], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[3], rest * sizeof *vy_out);
     }
 }
 
@@ -18774,7 +20327,6 @@ void GS_JOIN(gs_projectile_velocity_drag_nu, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 add, 7 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(size_t count, const float *t_in, const float *theta_in, float v_in, float g_in, float k_in, float *vx_out, float *vy_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -18785,46 +20337,62 @@ void GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(size_t count, const flo
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            t_in = gs_padded_single(pad[0], t_in, here);
-            theta_in = gs_padded_single(pad[1], theta_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v z_kept[GS_GROUP], C_kept[GS_GROUP], S_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_v z = gs_s_mul(t, k);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            z_kept[i] = z;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v t_here = gs_v_widen(t_in);
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(t_here, 0.0, 0x1p+128));
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v t = gs_select(good, t_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_v z = gs_s_mul(t, k);
-        const gs_v fade = gs_s_phi0m(z);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
-        gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), gs_s_phi1m(z)), &good);
-        if (!gs_all(good)) {
-            double vx_each[GS_LANES], vy_each[GS_LANES];
-            gs_v_store(vx_each, vx_here);
-            gs_v_store(vy_each, vy_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    gs_scaled_projectile_velocity_drag(t_in[j], gs_wide_angle(theta_in[j]), v_in, g_in, k_in, vx_each + j, vy_each + j);
-            vx_here = gs_v_load(vx_each);
-            vy_here = gs_v_load(vy_each);
+        gs_s_phi1m_each(block, z_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v t_here = gs_v_widen(t_in + at);
+            const gs_v t = gs_select(good, t_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v z = z_kept[i];
+            const gs_v fade = gs_s_phi0m(z);
+            gs_v vx_here = gs_s_mul(gs_s_mul(v, fade), C);
+            gs_v vy_here = gs_s_sub(gs_s_mul(gs_s_mul(v, fade), S), gs_s_mul(gs_s_mul(t, g), factor1), &good);
+            if (!gs_all(good)) {
+                double vx_each[GS_LANES], vy_each[GS_LANES];
+                gs_v_store(vx_each, vx_here);
+                gs_v_store(vy_each, vy_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_velocity_drag(t_in[at + j], gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in, vx_each + j, vy_each + j);
+                vx_here = gs_v_load(vx_each);
+                vy_here = gs_v_load(vy_each);
+            }
+            gs_v_narrow(vx_out + at, vx_here);
+            gs_v_narrow(vy_out + at, vy_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], vx_here);
-            memcpy(vx_out, pad[2], here * sizeof *vx_out);
-            gs_v_narrow(pad[3], vy_here);
-            memcpy(vy_out, pad[3], here * sizeof *vy_out);
-            return;
-        }
-        gs_v_narrow(vx_out, vx_here);
-        gs_v_narrow(vy_out, vy_here);
-        count -= GS_LANES, t_in += GS_LANES, theta_in += GS_LANES, vx_out += GS_LANES, vy_out += GS_LANES;
+        vectors -= block, t_in += block * GS_LANES, theta_in += block * GS_LANES, vx_out += block * GS_LANES, vy_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], t_in, rest), gs_padded_single(pad[1], theta_in, rest), v_in, g_in, k_in, pad[2], pad[3]);
+        memcpy(vx_out, pad[2], rest * sizeof *vx_out);
+        memcpy(vy_out, pad[3], rest * sizeof *vy_out);
     }
 }
 
@@ -18832,43 +20400,54 @@ void GS_JOIN(gs_projectile_velocity_drag_nuf, GS_SUFFIX)(size_t count, const flo
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *slope_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[j], v_in[j], g_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S)))), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[at + j], v_in[at + j], g_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], slope_here);
-            memcpy(slope_out, pad[3], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(slope_out, pad[3], rest * sizeof *slope_out);
     }
 }
 
@@ -18876,43 +20455,54 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_n, GS_SUFFIX)(size_t count, co
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *slope_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(v, v), gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), g), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_div(gs_s_mul(v, v), g), gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], slope_here);
-            memcpy(slope_out, pad[3], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(slope_out, pad[3], rest * sizeof *slope_out);
     }
 }
 
@@ -18920,43 +20510,54 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nf, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp once1 = gs_vp_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp once1 = gs_vp_over(gs_vp_product(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S))), g), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[j], v_in, g_in);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(C, C), gs_vp_mul(S, S)))), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_free(theta_in[at + j], v_in, g_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -18964,7 +20565,6 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nu, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 1 div, 4 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *slope_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -18972,35 +20572,47 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(size_t count, 
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    const gs_v once1 = gs_s_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(gs_s_mul(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(once1, gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), g), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[j]), v_in, g_in);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(once1, gs_s_sub(gs_s_mul(C, C), gs_s_mul(S, S), &good)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_free(gs_wide_angle(theta_in[at + j]), v_in, g_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -19008,49 +20620,75 @@ void GS_JOIN(gs_projectile_range_slope_theta_free_nuf, GS_SUFFIX)(size_t count, 
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *slope_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            k_in = gs_padded(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            const gs_vp b = gs_vp_times(rise, k);
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], slope_here);
-            memcpy(slope_out, pad[4], here * sizeof *slope_out);
-            return;
+        gs_vp_grown_balance_each(block, b_kept, factor1_kept);
+        gs_vp_range_factor_each(block, b_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp b = b_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp factor2 = factor2_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_mul(gs_vp_phi0m(b, &good), factor1)), gs_vp_mul(S, S))), factor2)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4]);
+        memcpy(slope_out, pad[4], rest * sizeof *slope_out);
     }
 }
 
@@ -19058,49 +20696,75 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_n, GS_SUFFIX)(size_t count, co
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *slope_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            k_in = gs_padded_single(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(v, v), gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_range_balance(b)), gs_s_mul(S, S), &good)), gs_s_range_factor(b)), g), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            const gs_v b = gs_s_mul(k, rise);
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], slope_here);
-            memcpy(slope_out, pad[4], here * sizeof *slope_out);
-            return;
+        gs_s_grown_balance_each(block, b_kept, factor1_kept);
+        gs_s_range_factor_each(block, b_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v b = b_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v factor2 = factor2_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_mul(gs_s_div(gs_s_mul(v, v), g), gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_mul(gs_s_phi0m(b), factor1)), gs_s_mul(S, S), &good)), factor2), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4]);
+        memcpy(slope_out, pad[4], rest * sizeof *slope_out);
     }
 }
 
@@ -19108,7 +20772,6 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nf, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -19116,40 +20779,59 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    const gs_vp once1 = gs_vp_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    const gs_vp once2 = gs_vp_over(gs_vp_product(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp C_kept[GS_GROUP], S_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp b = gs_vp_times(rise, k);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_mul(once1, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_range_balance(b, &good)), gs_vp_mul(S, S))), gs_vp_range_factor(b)), g), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[j], v_in, g_in, k_in);
-            slope_here = gs_v_load(slope_each);
+        gs_vp_grown_balance_each(block, b_kept, factor1_kept);
+        gs_vp_range_factor_each(block, b_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp b = b_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp factor2 = factor2_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_mul(once2, gs_vp_sub(gs_vp_mul(gs_vp_mul(C, C), gs_vp_mul(gs_vp_phi0m(b, &good), factor1)), gs_vp_mul(S, S))), factor2)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(theta_in[at + j], v_in, g_in, k_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -19157,7 +20839,6 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nu, GS_SUFFIX)(size_t count, c
  * Operations: 1 add, 2 div, 8 mul, 1 sine and cosine, 2 table. */
 void GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *slope_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -19168,37 +20849,56 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(size_t count, 
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    const gs_v once1 = gs_s_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    const gs_v once2 = gs_s_div(gs_s_mul(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v C_kept[GS_GROUP], S_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP], factor2_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v b = gs_s_mul(k, rise);
+            good_kept[i] = good;
+            C_kept[i] = C;
+            S_kept[i] = S;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_mul(once1, gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_range_balance(b)), gs_s_mul(S, S), &good)), gs_s_range_factor(b)), g), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
-            slope_here = gs_v_load(slope_each);
+        gs_s_grown_balance_each(block, b_kept, factor1_kept);
+        gs_s_range_factor_each(block, b_kept, factor2_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v b = b_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v factor2 = factor2_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_mul(once2, gs_s_sub(gs_s_mul(gs_s_mul(C, C), gs_s_mul(gs_s_phi0m(b), factor1)), gs_s_mul(S, S), &good)), factor2), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_theta_drag(gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -19206,44 +20906,66 @@ void GS_JOIN(gs_projectile_range_slope_theta_drag_nuf, GS_SUFFIX)(size_t count, 
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, double *slope_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), g)), gs_vp_constant(3.0)), 8.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[j], v_in[j], g_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], slope_here);
-            memcpy(slope_out, pad[3], here * sizeof *slope_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), rise), C), S)), gs_vp_constant(3.0))), gs_v_of(8.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[at + j], v_in[at + j], g_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3]);
+        memcpy(slope_out, pad[3], rest * sizeof *slope_out);
     }
 }
 
@@ -19251,44 +20973,66 @@ void GS_JOIN(gs_projectile_range_slope_k_free_n, GS_SUFFIX)(size_t count, const 
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, float *slope_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, v), rise), C), S), g)), gs_s_constant(3.0)), 8.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[j]), v_in[j], g_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            rise_kept[i] = rise;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], slope_here);
-            memcpy(slope_out, pad[3], here * sizeof *slope_out);
-            return;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_mul(gs_s_mul(gs_s_mul(gs_s_div(gs_s_mul(v, v), g), rise), C), S)), gs_s_constant(3.0)), gs_v_of(8.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3]);
+        memcpy(slope_out, pad[3], rest * sizeof *slope_out);
     }
 }
 
@@ -19296,44 +21040,58 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nf, GS_SUFFIX)(size_t count, const
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double *slope_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp once1 = gs_vp_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    const gs_vp once2 = gs_vp_over(gs_vp_product(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], rise_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), g)), gs_vp_constant(3.0)), 8.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[j], v_in, g_in);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_div(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_mul(gs_vp_mul(gs_vp_mul(once2, rise), C), S)), gs_vp_constant(3.0))), gs_v_of(8.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_free(theta_in[at + j], v_in, g_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -19341,7 +21099,6 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nu, GS_SUFFIX)(size_t count, const
  * Operations: 3 div, 6 mul, 1 sine and cosine. */
 void GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float *slope_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -19349,36 +21106,51 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(size_t count, cons
     known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
-    const gs_v once1 = gs_s_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    const gs_v once2 = gs_s_div(gs_s_mul(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], rise_kept[GS_GROUP], C_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        gs_v slope_here = gs_s_scaled(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(once1, rise), C), S), g)), gs_s_constant(3.0)), 8.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[j]), v_in, g_in);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_s_div(gs_s_mul(gs_s_constant(-1.0), gs_s_mul(gs_s_mul(gs_s_mul(once2, rise), C), S)), gs_s_constant(3.0)), gs_v_of(8.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_free(gs_wide_angle(theta_in[at + j]), v_in, g_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -19386,49 +21158,74 @@ void GS_JOIN(gs_projectile_range_slope_k_free_nuf, GS_SUFFIX)(size_t count, cons
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const double *theta_in, const double *v_in, const double *g_in, const double *k_in, double *slope_out)
 {
-    double pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
-            v_in = gs_padded(pad[1], v_in, here);
-            g_in = gs_padded(pad[2], g_in, here);
-            k_in = gs_padded(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp C = gs_vp_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0);
-        good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(v, v), rise), C), S), gs_vp_range_loss(b)), g)), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[j], v_in[j], g_in[j], k_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp S = S_kept[i];
+            const gs_vp rise = gs_vp_mul(gs_vp_quotient(v, g), S);
+            const gs_vp b = gs_vp_times(rise, k);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[4], slope_here);
-            memcpy(slope_out, pad[4], here * sizeof *slope_out);
-            return;
+        gs_vp_range_loss_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), rise), C), S), factor1))), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4]);
+        memcpy(slope_out, pad[4], rest * sizeof *slope_out);
     }
 }
 
@@ -19436,49 +21233,74 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_n, GS_SUFFIX)(size_t count, const 
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_nf, GS_SUFFIX)(size_t count, const float *theta_in, const float *v_in, const float *g_in, const float *k_in, float *slope_out)
 {
-    float pad[5][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
-            v_in = gs_padded_single(pad[1], v_in, here);
-            g_in = gs_padded_single(pad[2], g_in, here);
-            k_in = gs_padded_single(pad[3], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], C_kept[GS_GROUP], rise_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v C = gs_s_cosine(a);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            C_kept[i] = C;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE);
-        good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v slope_here = gs_s_scaled(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(v, v), rise), C), S), gs_s_range_loss(b)), g)), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[j]), v_in[j], g_in[j], k_in[j]);
-            slope_here = gs_v_load(slope_each);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v S = S_kept[i];
+            const gs_v rise = gs_s_mul(gs_s_div(v, g), S);
+            const gs_v b = gs_s_mul(k, rise);
+            rise_kept[i] = rise;
+            b_kept[i] = b;
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[4], slope_here);
-            memcpy(slope_out, pad[4], here * sizeof *slope_out);
-            return;
+        gs_s_range_loss_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_constant(-1.0), gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_div(gs_s_mul(v, v), g), rise), C), S), factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j]);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4]);
+        memcpy(slope_out, pad[4], rest * sizeof *slope_out);
     }
 }
 
@@ -19486,7 +21308,6 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nf, GS_SUFFIX)(size_t count, const
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const double *theta_in, double v_in, double g_in, double k_in, double *slope_out)
 {
-    double pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -19494,40 +21315,58 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
     gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
     known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
     known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
-    const gs_vp v = gs_vp_load(gs_select(known, v_here, one));
-    const gs_vp g = gs_vp_load(gs_select(known, g_here, one));
-    const gs_vp k = gs_vp_load(gs_felt(gs_select(known, k_here, one)));
-    const gs_vp once1 = gs_vp_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded(pad[0], theta_in, here);
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp once1 = gs_vp_quotient(v, g);
+    const gs_vp once2 = gs_vp_over(gs_vp_product(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp S_kept[GS_GROUP], rise_kept[GS_GROUP], C_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_load(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn a = gs_vp_angle(theta_used);
+            const gs_vp S = gs_vp_sine(a);
+            const gs_vp rise = gs_vp_mul(once1, S);
+            const gs_vp C = gs_vp_cosine(a);
+            const gs_vp b = gs_vp_times(rise, k);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_load(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between_or_0(theta_here, 0x1p-100, GS_HALF_TURN_0));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn a = gs_vp_angle(theta_used);
-        const gs_vp S = gs_vp_sine(a);
-        const gs_vp rise = gs_vp_div(gs_vp_mul(v, S), g);
-        const gs_vp C = gs_vp_cosine(a);
-        const gs_vp b = gs_vp_mul(k, rise);
-        gs_v slope_here = gs_vp_value(gs_vp_scaled(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_div(gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once1, rise), C), S), gs_vp_range_loss(b)), g)), 2.0));
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[j], v_in, g_in, k_in);
-            slope_here = gs_v_load(slope_each);
+        gs_vp_range_loss_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_vp C = C_kept[i];
+            const gs_vp S = S_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_vp_value(gs_vp_mul(gs_vp_constant(-1.0), gs_vp_mul(gs_vp_mul(gs_vp_mul(gs_vp_mul(once2, rise), C), S), factor1))), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_drag(theta_in[at + j], v_in, g_in, k_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_store(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_store(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -19535,7 +21374,6 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nu, GS_SUFFIX)(size_t count, const
  * Operations: 2 div, 8 mul, 1 sine and cosine, 1 table. */
 void GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(size_t count, const float *theta_in, float v_in, float g_in, float k_in, float *slope_out)
 {
-    float pad[2][GS_LANES];
     const gs_v one = gs_v_of(1.0);
     const gs_v v_here = gs_v_of(v_in);
     const gs_v g_here = gs_v_of(g_in);
@@ -19546,37 +21384,55 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(size_t count, cons
     const gs_v v = gs_select(known, v_here, one);
     const gs_v g = gs_select(known, g_here, one);
     const gs_v k = gs_select(known, k_here, one);
-    const gs_v once1 = gs_s_mul(v, v);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            theta_in = gs_padded_single(pad[0], theta_in, here);
+    const gs_v once1 = gs_s_div(v, g);
+    const gs_v once2 = gs_s_div(gs_s_mul(v, v), g);
+    gs_mask good_kept[GS_GROUP];
+    gs_v S_kept[GS_GROUP], rise_kept[GS_GROUP], C_kept[GS_GROUP], b_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v theta_here = gs_v_widen(theta_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
+            const gs_v theta_used = gs_select(good, theta_here, one);
+            const gs_turn_single a = gs_s_angle(theta_used);
+            const gs_v S = gs_s_sine(a);
+            const gs_v rise = gs_s_mul(once1, S);
+            const gs_v C = gs_s_cosine(a);
+            const gs_v b = gs_s_mul(k, rise);
+            good_kept[i] = good;
+            S_kept[i] = S;
+            rise_kept[i] = rise;
+            C_kept[i] = C;
+            b_kept[i] = b;
         }
-        const gs_v theta_here = gs_v_widen(theta_in);
-        gs_mask good = known;
-        good = gs_both(good, gs_between(theta_here, 0.0, GS_HALF_TURN_SINGLE));
-        const gs_v theta_used = gs_select(good, theta_here, one);
-        const gs_turn_single a = gs_s_angle(theta_used);
-        const gs_v S = gs_s_sine(a);
-        const gs_v rise = gs_s_div(gs_s_mul(v, S), g);
-        const gs_v C = gs_s_cosine(a);
-        const gs_v b = gs_s_mul(k, rise);
-        gs_v slope_here = gs_s_scaled(gs_s_mul(gs_s_constant(-1.0), gs_s_div(gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(once1, rise), C), S), gs_s_range_loss(b)), g)), 2.0);
-        if (!gs_all(good)) {
-            double slope_each[GS_LANES];
-            gs_v_store(slope_each, slope_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[j]), v_in, g_in, k_in);
-            slope_here = gs_v_load(slope_each);
+        gs_s_range_loss_each(block, b_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v C = C_kept[i];
+            const gs_v S = S_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v rise = rise_kept[i];
+            gs_v slope_here = gs_mul(gs_s_mul(gs_s_constant(-1.0), gs_s_mul(gs_s_mul(gs_s_mul(gs_s_mul(once2, rise), C), S), factor1)), gs_v_of(2.0));
+            if (!gs_all(good)) {
+                double slope_each[GS_LANES];
+                gs_v_store(slope_each, slope_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        slope_each[j] = gs_scaled_projectile_range_slope_k_drag(gs_wide_angle(theta_in[at + j]), v_in, g_in, k_in);
+                slope_here = gs_v_load(slope_each);
+            }
+            gs_v_narrow(slope_out + at, slope_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[1], slope_here);
-            memcpy(slope_out, pad[1], here * sizeof *slope_out);
-            return;
-        }
-        gs_v_narrow(slope_out, slope_here);
-        count -= GS_LANES, theta_in += GS_LANES, slope_out += GS_LANES;
+        vectors -= block, theta_in += block * GS_LANES, slope_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[2][GS_LANES];
+        GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], theta_in, rest), v_in, g_in, k_in, pad[1]);
+        memcpy(slope_out, pad[1], rest * sizeof *slope_out);
     }
 }
 
@@ -19584,36 +21440,35 @@ void GS_JOIN(gs_projectile_range_slope_k_drag_nuf, GS_SUFFIX)(size_t count, cons
  * Operations: 1 div, 1 mul. */
 void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const double *v_in, const double *g_in, double *range_out)
 {
-    double pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            v_in = gs_padded(pad[0], v_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            gs_v range_here = gs_vp_value(gs_vp_over(gs_vp_product(v, v), g));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_max_range_free(v_in[at + j], g_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        gs_v range_here = gs_vp_value(gs_vp_div(gs_vp_mul(v, v), g));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_max_range_free(v_in[j], g_in[j]);
-            range_here = gs_v_load(range_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_store(pad[2], range_here);
-            memcpy(range_out, pad[2], here * sizeof *range_out);
-            return;
-        }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, v_in += block * GS_LANES, g_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], v_in, rest), gs_padded(pad[1], g_in, rest), pad[2]);
+        memcpy(range_out, pad[2], rest * sizeof *range_out);
     }
 }
 
@@ -19621,36 +21476,35 @@ void GS_JOIN(gs_projectile_max_range_free_n, GS_SUFFIX)(size_t count, const doub
  * Operations: 1 div, 1 mul. */
 void GS_JOIN(gs_projectile_max_range_free_nf, GS_SUFFIX)(size_t count, const float *v_in, const float *g_in, float *range_out)
 {
-    float pad[3][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            v_in = gs_padded_single(pad[0], v_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            gs_v range_here = gs_s_div(gs_s_mul(v, v), g);
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_max_range_free(v_in[at + j], g_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        gs_v range_here = gs_s_div(gs_s_mul(v, v), g);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_max_range_free(v_in[j], g_in[j]);
-            range_here = gs_v_load(range_each);
-        }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[2], range_here);
-            memcpy(range_out, pad[2], here * sizeof *range_out);
-            return;
-        }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, v_in += block * GS_LANES, g_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_max_range_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], v_in, rest), gs_padded_single(pad[1], g_in, rest), pad[2]);
+        memcpy(range_out, pad[2], rest * sizeof *range_out);
     }
 }
 
@@ -19658,41 +21512,53 @@ void GS_JOIN(gs_projectile_max_range_free_nf, GS_SUFFIX)(size_t count, const flo
  * Operations: 2 div, 3 mul, 1 table. */
 void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const double *v_in, const double *g_in, const double *k_in, double *range_out)
 {
-    double pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            v_in = gs_padded(pad[0], v_in, here);
-            g_in = gs_padded(pad[1], g_in, here);
-            k_in = gs_padded(pad[2], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp alpha_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp alpha = gs_vp_over(gs_vp_product(k, v), g);
+            good_kept[i] = good;
+            alpha_kept[i] = alpha;
         }
-        const gs_v v_here = gs_v_load(v_in);
-        const gs_v g_here = gs_v_load(g_in);
-        const gs_v k_here = gs_v_load(k_in);
-        gs_mask good = gs_between(v_here, 0x1p-100, 0x1p+100);
-        good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
-        const gs_vp v = gs_vp_load(gs_select(good, v_here, one));
-        const gs_vp g = gs_vp_load(gs_select(good, g_here, one));
-        const gs_vp k = gs_vp_load(gs_felt(gs_select(good, k_here, one)));
-        const gs_vp alpha = gs_vp_div(gs_vp_mul(v, k), g);
-        gs_v range_here = gs_vp_value(gs_vp_div(gs_vp_mul(gs_vp_mul(v, v), gs_vp_max_range_factor(alpha)), g));
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_max_range_drag(v_in[j], g_in[j], k_in[j]);
-            range_here = gs_v_load(range_each);
+        gs_vp_max_range_factor_each(block, alpha_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp factor1 = factor1_kept[i];
+            gs_v range_here = gs_vp_value(gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), factor1));
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_max_range_drag(v_in[at + j], g_in[at + j], k_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_store(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_store(pad[3], range_here);
-            memcpy(range_out, pad[3], here * sizeof *range_out);
-            return;
-        }
-        gs_v_store(range_out, range_here);
-        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], v_in, rest), gs_padded(pad[1], g_in, rest), gs_padded(pad[2], k_in, rest), pad[3]);
+        memcpy(range_out, pad[3], rest * sizeof *range_out);
     }
 }
 
@@ -19700,41 +21566,53 @@ void GS_JOIN(gs_projectile_max_range_drag_n, GS_SUFFIX)(size_t count, const doub
  * Operations: 2 div, 3 mul, 1 table. */
 void GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(size_t count, const float *v_in, const float *g_in, const float *k_in, float *range_out)
 {
-    float pad[4][GS_LANES];
     const gs_v one = gs_v_of(1.0);
-    while (count > 0) {
-        const size_t here = count < GS_LANES ? count : GS_LANES;
-        if (here < GS_LANES) {
-            v_in = gs_padded_single(pad[0], v_in, here);
-            g_in = gs_padded_single(pad[1], g_in, here);
-            k_in = gs_padded_single(pad[2], k_in, here);
+    gs_mask good_kept[GS_GROUP];
+    gs_v alpha_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
+            good_kept[i] = good;
+            alpha_kept[i] = alpha;
         }
-        const gs_v v_here = gs_v_widen(v_in);
-        const gs_v g_here = gs_v_widen(g_in);
-        const gs_v k_here = gs_v_widen(k_in);
-        gs_mask good = gs_between(v_here, 0x1p-149, 0x1p+128);
-        good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
-        good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
-        const gs_v v = gs_select(good, v_here, one);
-        const gs_v g = gs_select(good, g_here, one);
-        const gs_v k = gs_select(good, k_here, one);
-        const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
-        gs_v range_here = gs_s_div(gs_s_mul(gs_s_mul(v, v), gs_s_max_range_factor(alpha)), g);
-        if (!gs_all(good)) {
-            double range_each[GS_LANES];
-            gs_v_store(range_each, range_here);
-            for (size_t j = 0; j < here; j++)
-                if (!(gs_bits_of(good) >> j & 1))
-                    range_each[j] = gs_scaled_projectile_max_range_drag(v_in[j], g_in[j], k_in[j]);
-            range_here = gs_v_load(range_each);
+        gs_s_max_range_factor_each(block, alpha_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v factor1 = factor1_kept[i];
+            gs_v range_here = gs_s_mul(gs_s_div(gs_s_mul(v, v), g), factor1);
+            if (!gs_all(good)) {
+                double range_each[GS_LANES];
+                gs_v_store(range_each, range_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        range_each[j] = gs_scaled_projectile_max_range_drag(v_in[at + j], g_in[at + j], k_in[at + j]);
+                range_here = gs_v_load(range_each);
+            }
+            gs_v_narrow(range_out + at, range_here);
         }
-        if (here < GS_LANES) {
-            gs_v_narrow(pad[3], range_here);
-            memcpy(range_out, pad[3], here * sizeof *range_out);
-            return;
-        }
-        gs_v_narrow(range_out, range_here);
-        count -= GS_LANES, v_in += GS_LANES, g_in += GS_LANES, k_in += GS_LANES, range_out += GS_LANES;
+        vectors -= block, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, range_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[4][GS_LANES];
+        GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], v_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], k_in, rest), pad[3]);
+        memcpy(range_out, pad[3], rest * sizeof *range_out);
     }
 }
 
@@ -21688,7 +23566,7 @@ double gs_scaled_chord_descent_time_free(double theta_in, double diameter_in, do
 }
 
 /* stable.chord.descent_time.friction, the stable form of chord.eq17, chord.eq18.
- * Operations: 2 div, 1 driving force, 1 mul, 1 sine and cosine, 1 sqrt. */
+ * Operations: 1 div, 1 driving force, 2 mul, 1 sine and cosine, 1 sqrt. */
 double gs_scaled_chord_descent_time_friction(double theta_in, double diameter_in, double g_in, double mu_in)
 {
     if (isnan(theta_in) || isnan(diameter_in) || isnan(g_in) || isnan(mu_in))
@@ -21703,7 +23581,7 @@ double gs_scaled_chord_descent_time_friction(double theta_in, double diameter_in
     const gs_scaled n = gs_driving(a, mu);
     if (n.hi <= 0.0)
         return INFINITY;
-    const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, gs_div(C, n)), g), 1));
+    const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, C), gs_mul(g, n)), 1));
     return gs_settle(t0, (isinf(diameter_in) && isinf(g_in)));
 }
 
@@ -21724,7 +23602,7 @@ double gs_scaled_chord_descent_time_drag(double theta_in, double diameter_in, do
 }
 
 /* stable.chord.descent_time.friction_drag, the stable form of chord.eq43.
- * Operations: 2 div, 1 driving force, 3 mul, 1 sine and cosine, 1 sqrt, 1 table. */
+ * Operations: 1 div, 1 driving force, 4 mul, 1 sine and cosine, 1 sqrt, 1 table. */
 double gs_scaled_chord_descent_time_friction_drag(double theta_in, double diameter_in, double g_in, double mu_in, double gamma_in)
 {
     if (isnan(theta_in) || isnan(diameter_in) || isnan(g_in) || isnan(mu_in) || isnan(gamma_in))
@@ -21740,7 +23618,7 @@ double gs_scaled_chord_descent_time_friction_drag(double theta_in, double diamet
     const gs_scaled n = gs_driving(a, mu);
     if (n.hi <= 0.0)
         return INFINITY;
-    const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, gs_div(C, n)), g), 1));
+    const gs_scaled t0 = gs_sqrt(gs_scale(gs_div(gs_mul(D, C), gs_mul(g, n)), 1));
     const gs_scaled p = gs_mul(gamma, t0);
     return gs_settle(gs_mul(t0, gs_descent_factor(p)), ((isinf(diameter_in) || isinf(gamma_in)) && isinf(g_in)));
 }
@@ -22974,7 +24852,7 @@ double gs_scaled_projectile_flight_time_free(double theta_in, double v_in, doubl
     const gs_scaled g = gs_load(g_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     return gs_settle(gs_scale(rise, 1), (isinf(v_in) && isinf(g_in)));
 }
 
@@ -22991,7 +24869,7 @@ double gs_scaled_projectile_flight_time_drag(double theta_in, double v_in, doubl
     const gs_scaled k = gs_load(k_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled b = gs_mul(k, rise);
     return gs_settle(gs_scale(gs_mul(rise, gs_flight_factor(b)), 1), (isinf(v_in) && isinf(g_in)));
 }
@@ -23008,7 +24886,7 @@ double gs_scaled_projectile_horizontal_range_free(double theta_in, double v_in, 
     const gs_scaled g = gs_load(g_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled C = gs_cosine(a);
     return gs_settle(gs_scale(gs_mul(gs_mul(v, rise), C), 1), (isinf(v_in) && isinf(g_in)));
 }
@@ -23026,7 +24904,7 @@ double gs_scaled_projectile_horizontal_range_drag(double theta_in, double v_in, 
     const gs_scaled k = gs_load(k_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled b = gs_mul(k, rise);
     return gs_settle(gs_scale(gs_mul(gs_mul(gs_mul(v, rise), C), gs_range_factor(b)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
@@ -23142,7 +25020,7 @@ double gs_scaled_projectile_range_slope_theta_free(double theta_in, double v_in,
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled S = gs_sine(a);
-    return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(v, v), gs_sub(gs_mul(C, C), gs_mul(S, S))), g), 1), (isinf(v_in) && isinf(g_in)));
+    return gs_settle(gs_scale(gs_mul(gs_div(gs_mul(v, v), g), gs_sub(gs_mul(C, C), gs_mul(S, S))), 1), (isinf(v_in) && isinf(g_in)));
 }
 
 /* stable.projectile.range_slope_theta.drag, the stable form of projectile.lemma.f.
@@ -23159,9 +25037,9 @@ double gs_scaled_projectile_range_slope_theta_drag(double theta_in, double v_in,
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled b = gs_mul(k, rise);
-    return gs_settle(gs_scale(gs_div(gs_mul(gs_mul(gs_mul(v, v), gs_sub(gs_mul(gs_mul(C, C), gs_range_balance(b)), gs_mul(S, S))), gs_range_factor(b)), g), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+    return gs_settle(gs_scale(gs_mul(gs_mul(gs_div(gs_mul(v, v), g), gs_sub(gs_mul(gs_mul(C, C), gs_range_balance(b)), gs_mul(S, S))), gs_range_factor(b)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
 /* stable.projectile.range_slope_k.free, the stable form of projectile.lemma.e.
@@ -23176,9 +25054,9 @@ double gs_scaled_projectile_range_slope_k_free(double theta_in, double v_in, dou
     const gs_scaled g = gs_load(g_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled C = gs_cosine(a);
-    return gs_settle(gs_scale(gs_div(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), g)), gs_constant(3.0)), 3), (isinf(v_in) && isinf(g_in)));
+    return gs_settle(gs_scale(gs_div(gs_mul(gs_constant(-1.0), gs_mul(gs_mul(gs_mul(gs_div(gs_mul(v, v), g), rise), C), S)), gs_constant(3.0)), 3), (isinf(v_in) && isinf(g_in)));
 }
 
 /* stable.projectile.range_slope_k.drag, the stable form of projectile.lemma.e.
@@ -23194,10 +25072,10 @@ double gs_scaled_projectile_range_slope_k_drag(double theta_in, double v_in, dou
     const gs_scaled k = gs_load(k_in);
     const gs_direction a = gs_angle(theta_in);
     const gs_scaled S = gs_sine(a);
-    const gs_scaled rise = gs_div(gs_mul(v, S), g);
+    const gs_scaled rise = gs_mul(gs_div(v, g), S);
     const gs_scaled C = gs_cosine(a);
     const gs_scaled b = gs_mul(k, rise);
-    return gs_settle(gs_scale(gs_mul(gs_constant(-1.0), gs_div(gs_mul(gs_mul(gs_mul(gs_mul(gs_mul(v, v), rise), C), S), gs_range_loss(b)), g)), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+    return gs_settle(gs_scale(gs_mul(gs_constant(-1.0), gs_mul(gs_mul(gs_mul(gs_mul(gs_div(gs_mul(v, v), g), rise), C), S), gs_range_loss(b))), 1), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
 /* stable.projectile.max_range.free, the stable form of projectile.nodrag.claim.max-pi4.
@@ -23225,7 +25103,7 @@ double gs_scaled_projectile_max_range_drag(double v_in, double g_in, double k_in
     const gs_scaled g = gs_load(g_in);
     const gs_scaled k = gs_load(k_in);
     const gs_scaled alpha = gs_div(gs_mul(v, k), g);
-    return gs_settle(gs_div(gs_mul(gs_mul(v, v), gs_max_range_factor(alpha)), g), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
+    return gs_settle(gs_mul(gs_div(gs_mul(v, v), g), gs_max_range_factor(alpha)), (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
 }
 
 /* The largest value that is told, without flags: it is only compared with. */
@@ -23290,7 +25168,7 @@ static gs_balance launch_angles_drag_balance(gs_scaled z, gs_scaled alpha)
     const gs_balance at = {
         gs_sub(gs_mul(gs_mul(Z, phi1), phi1), gs_mul(gs_mul(Z, fall), phi2)),
         gs_mul(gs_sub(fade, fall), phi1),
-        gs_add(gs_add(gs_scale(gs_div(gs_mul(gs_mul(alpha, gs_sub(fade, fall)), gs_sub(phi1, phi2)), z), -1), gs_scale(gs_div(gs_mul(gs_mul(alpha, fade), phi1), z), -1)), gs_scale(gs_mul(phi1, phi1), -1)),
+        gs_add(gs_add(gs_scale(gs_mul(gs_mul(gs_div(alpha, z), gs_sub(fade, fall)), gs_sub(phi1, phi2)), -1), gs_scale(gs_mul(gs_mul(gs_div(alpha, z), fade), phi1), -1)), gs_scale(gs_mul(phi1, phi1), -1)),
         fall,
         gs_scale(phi1, -1),
     };

@@ -43,7 +43,13 @@ static inline gs_v gs_s_kept(gs_v r, gs_v a, gs_mask *good)
 static inline gs_v gs_s_add(gs_v a, gs_v b, gs_mask *good) { return gs_s_kept(gs_add(a, b), a, good); }
 static inline gs_v gs_s_sub(gs_v a, gs_v b, gs_mask *good) { return gs_s_kept(gs_sub(a, b), a, good); }
 
-static inline gs_turn_single gs_s_angle(gs_v theta)
+/* The same step as of pairs. */
+typedef struct {
+    gs_v s, c, over, less; /* sin(d), cos(d) - 1 */
+    gs_mask far;
+} gs_near_angle_single;
+
+static inline gs_near_angle_single gs_s_near_angle(gs_v theta)
 {
     const gs_v size = gs_min(gs_abs(theta), gs_v_of(GS_HALF_TURN_0)), big = gs_v_of(0x1.8p+52);
     const gs_mask far = gs_at_least(size, gs_v_of(GS_QUARTER_TURN));
@@ -52,16 +58,44 @@ static inline gs_turn_single gs_s_angle(gs_v theta)
     const gs_v u = gs_fma(x, gs_v_of(GS_TURNS_A_RADIAN), big);
     const gs_index i = gs_low_index(u);
     const gs_v d = gs_fnma(gs_sub(u, big), gs_v_of(GS_TURN_STEP), x);
-    const gs_v s = gs_pick(gs_turn_sine, i), c = gs_pick(gs_turn_cosine, i);
     const gs_v q = gs_mul(d, d);
-    gs_v over = gs_fma(q, gs_v_of(0x1.1111111111111p-7), gs_v_of(-0x1.5555555555555p-3));
-    over = gs_fma(gs_mul(over, q), d, d); /* sin(d) */
-    gs_v less = gs_fma(q, gs_v_of(-0x1.6c16c16c16c17p-10), gs_v_of(0x1.5555555555555p-5));
-    less = gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q); /* cos(d) - 1 */
-    const gs_v sine = gs_fma(c, over, gs_fma(s, less, s));
-    const gs_v cosine = gs_fnma(s, over, gs_fma(c, less, c));
-    const gs_turn_single r = {gs_select(far, cosine, sine), gs_select(far, sine, cosine), theta};
+    const gs_v over = gs_mul(gs_fma(q, gs_v_of(0x1.1111111111111p-7), gs_v_of(-0x1.5555555555555p-3)), q);
+    const gs_v less = gs_fma(q, gs_v_of(-0x1.6c16c16c16c17p-10), gs_v_of(0x1.5555555555555p-5));
+    const gs_near_angle_single r = {
+        gs_pick(gs_turn_sine, i),
+        gs_pick(gs_turn_cosine, i),
+        gs_fma(over, d, d),
+        gs_mul(gs_fma(less, q, gs_v_of(-0.5)), q),
+        far,
+    };
     return r;
+}
+
+static inline gs_turn_single gs_s_angle(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    const gs_v sine = gs_fma(t.c, t.over, gs_fma(t.s, t.less, t.s));
+    const gs_v cosine = gs_fnma(t.s, t.over, gs_fma(t.c, t.less, t.c));
+    const gs_turn_single r = {gs_select(t.far, cosine, sine), gs_select(t.far, sine, cosine), theta};
+    return r;
+}
+
+static inline gs_v gs_s_one(gs_near_angle_single t, gs_mask crossed)
+{
+    const gs_v a = gs_select(crossed, t.c, t.s), b = gs_select(crossed, t.s, t.c);
+    return gs_fma(b, gs_select(crossed, gs_minus(t.over), t.over), gs_fma(a, t.less, a));
+}
+
+static inline gs_v gs_s_sine_of(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    return gs_flip(gs_s_one(t, t.far), theta);
+}
+
+static inline gs_v gs_s_cosine_of(gs_v theta)
+{
+    const gs_near_angle_single t = gs_s_near_angle(theta);
+    return gs_s_one(t, gs_not(t.far));
 }
 
 static inline gs_v gs_s_sine(gs_turn_single a) { return gs_flip(a.s, a.sign); }
@@ -81,6 +115,4 @@ static inline gs_v gs_s_driving(gs_turn_single a, gs_v mu, gs_mask *good, gs_mas
 static inline gs_v gs_s_phi0m(gs_v z) { return gs_exp_minus_range0_lean(gs_min(z, gs_v_of(600.0))); }
 
 @CALLS@
-static inline gs_v gs_s_range_balance(gs_v b) { return gs_s_mul(gs_s_phi0m(b), gs_s_grown_balance(b)); }
-
 #endif

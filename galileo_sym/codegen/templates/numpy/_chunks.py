@@ -4,6 +4,10 @@ import numpy as np
 
 CHUNK = 15360  # doubles at most: the few arrays in use fit a cache of 1 MB, and each operation has its call repaid
 
+np.empty(
+    1 << 22, np.uint8
+)  # freed, it teaches glibc to keep memory between chunks rather than map it anew, page by page
+
 
 def extent(x):
     """The least and the greatest of a vector, or of one number, whose methods are slow."""
