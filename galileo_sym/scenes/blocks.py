@@ -11,6 +11,7 @@ from math import prod
 
 import numpy as np
 
+from galileo_sym import _backend
 from galileo_sym.progress import progress_bar
 from galileo_sym.scenes.arrays import Axes, checked_outs
 from galileo_sym.scenes.kept import CALL, Kept
@@ -18,7 +19,10 @@ from galileo_sym.scenes.numpy_run import evaluate
 from galileo_sym.scenes.sources import cut
 
 _SMALL = 2**18  # bytes of small objects, and of the buffers of a cast
-_POINT = {"sum": 64, "call": CALL}  # bytes a point beside the output, by operation of a result
+_POINT = {
+    "sum": {"c": 0, "numpy": 64}[_backend.NAME],
+    "call": CALL,
+}  # bytes a point beside the output, by operation of a result
 _ODD = 64 + CALL  # where factors do not serve
 _ENDED = 32
 _MOST = _ODD + _ENDED + 64

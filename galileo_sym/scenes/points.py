@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from galileo_sym import _backend
-from galileo_sym.generated._kernel import DOMAINS
+from galileo_sym.generated._kernel import DOMAINS, quiet
 
 _BLOCK = 32768  # points at a time where an output takes several operations: a few arrays stay in the cache
+_ONE = (1.0, 0.0)
 
 
 def own_shape(axes, names, dimensions):
@@ -80,15 +81,34 @@ def _product(plan, result, made, axes, target):
 def _sum(plan, result, made, axes, target):
     """Sum of the leading parts of addends, whose products are exact, and of what is left of them."""
     addends = [(sign, [made[name] for name in names]) for sign, *names in result.operands]
+    with quiet():  # products of rests may underflow, which says nothing of the sum
+        (_sum_in_passes if _backend.EXTENSION is None else _sum_at_once)(addends, target)
+    _put_odd(plan, result, [factor for _, found in addends for factor in found], axes, target)
+
+
+def _sum_at_once(addends, target):
+    """By the extension: a b + c d, each in two parts."""
+    parts = [part for sign, found in addends for part in _two_pairs(sign, found)]
+    _backend.EXTENSION._sum_of_products(*parts, out=target, casting="same_kind")
+
+
+def _two_pairs(sign, found):
+    """The parts of the two factors of an addend, or of one and 1; the first takes the sign."""
+    first, *others = [factor.parts for factor in found]
+    (other,) = others or [_ONE]
+    return [*(first if sign > 0 else map(np.negative, first)), *other]
+
+
+def _sum_in_passes(addends, target):
+    """By NumPy's operations, block by block."""
     blocks = _blocks(target)
     room = np.empty((3, *target[blocks[0]].shape)) if blocks else None
     for block in blocks:
-        high, low, more = (array[: len(target[block])] if target.ndim else array for array in room)
+        high, low, more = (room[k, : len(target[block])] if target.ndim else room[k, ...] for k in range(3))
         for number, (sign, found) in enumerate(addends):
             parts = [_part(part, block) for factor in found for part in factor.parts]
             _ADDENDS[len(found)](_SIGNED[sign] if number else None, parts, high, low, more)
         np.add(high, low, out=target[block], casting="same_kind")
-    _put_odd(plan, result, [factor for _, found in addends for factor in found], axes, target)
 
 
 def _pair(sign, parts, high, low, more):
@@ -117,14 +137,14 @@ _ADDENDS = {1: _pair, 2: _two_factors}  # by number of factors
 def _blocks(target):
     """Slices of rows, of some thousand points each; all of what has no rows."""
     if target.ndim == 0:
-        return [()]
+        return [...]
     rows = max(1, _BLOCK * len(target) // max(target.size, 1))
     return [slice(start, start + rows) for start in range(0, len(target), rows)]
 
 
 def _part(part, block):
     """What of a factor belongs to a slice of rows."""
-    return part if block == () or np.ndim(part) == 0 or len(part) == 1 else part[block]
+    return part if block is ... or np.ndim(part) == 0 or len(part) == 1 else part[block]
 
 
 def _put_odd(plan, result, found, axes, target):

@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "5e2b3a6938fb5bcea15ab1ca4c83cbc8601602063c2b3301b5343efcfbd462ee";
+const char gs_sources[] = "95b9afcee6cd413f79d7895e4eaefa3e2f64e24a046a385ec59eb0030146d742";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};
