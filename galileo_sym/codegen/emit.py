@@ -67,7 +67,17 @@ _C_TEMPLATES = (
     "primitives.c",
     "roots.c",
 )
-_EXTENSION_TEMPLATES = ("entries.c", "loops.c", "loops_of_type.h", "module.c", "promotion.c", "sums.c", "sums.h")
+_EXTENSION_TEMPLATES = (
+    "entries.c",
+    "loops.c",
+    "loops_of_type.h",
+    "module.c",
+    "promotion.c",
+    "steps.c",
+    "steps.h",
+    "sums.c",
+    "sums.h",
+)
 _TEMPLATES = resources.files("galileo_sym.codegen") / "templates"
 
 

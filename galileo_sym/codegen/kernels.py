@@ -133,6 +133,7 @@ def runnable():
 VERSIONED = {
     "c/special": ("The primitives", "galileo_singles.h", tuple(TARGETS)),
     "c/lanes": ("The formulas of the papers", "galileo_forms.h", tuple(TARGETS)),
+    "extension/steps": ("Steps of scenes", "steps.h", ("fma",)),
     "extension/sums": ("Sums of scenes", "sums.h", ("avx512", "avx2")),
 }
 

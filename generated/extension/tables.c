@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "95b9afcee6cd413f79d7895e4eaefa3e2f64e24a046a385ec59eb0030146d742";
+const char gs_sources[] = "e97eb71eeab8e16a32754d060f1df83977d396e48082ed384d33e6cf7c88d77d";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};
