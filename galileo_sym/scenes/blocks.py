@@ -34,15 +34,16 @@ class Blocks:
 
     Parameters
     ----------
-    plan : Plan
+    scene : Scene
     given : dict of str to array_like
         The axes.
     max_bytes, grid, out
         As for `blocks_of`.
     """
 
-    def __init__(self, plan, given, *, max_bytes, grid, out):
-        self._plan, self._axes = plan, Axes(plan, given, grid)
+    def __init__(self, scene, given, *, max_bytes, grid, out):
+        self._axes = Axes(scene.plan, given, grid)
+        plan = self._plan = scene.plan_for(self._axes)
         self._targets = checked_outs(out, len(plan.results), self._axes.shape)
         self._kept = Kept(plan, self._axes)
         self._bounds = [self._axes.bounds(d) for d in range(len(self._axes.shape))]
@@ -166,7 +167,7 @@ def blocks_of(scene, *, max_bytes, grid=True, out=None, progress=False, **axes):
     >>> axes = {"t": np.linspace(0.0, 1.0, 3000), "theta": np.linspace(-1.0, 1.0, 1000)}
     >>> lowest = max(y.max() for _, y in scene.blocks(**axes, max_bytes=2**22))
     """
-    blocks = Blocks(scene.plan, scene.checked_axes(axes), max_bytes=max_bytes, grid=grid, out=out)
+    blocks = Blocks(scene, scene.checked_axes(axes), max_bytes=max_bytes, grid=grid, out=out)
     return _yielded(blocks, scene.alone, progress)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from galileo_sym._types import DOUBLE
 from galileo_sym.libraries import CompilationError, NoCompilerError, find_compiler, kept_library
-from galileo_sym.scenes.arrays import admitted_axes, axis_arrays, checked_outs
+from galileo_sym.scenes.arrays import Axes, admitted_axes, checked_outs
 from galileo_sym.scenes.c_source import source
 
 _NAME = "scene"
@@ -41,9 +41,10 @@ class Compiled:
         scene = self.scene
         if not grid:
             return scene(grid=False, out=out, **axes)
-        arrays, dtype, shape = axis_arrays(scene.plan, scene.checked_axes(axes), True)
+        laid = Axes(scene.plan, scene.checked_axes(axes), True)
+        arrays, shape = laid.all_values(), laid.shape
         targets = checked_outs(out, len(scene.outputs), shape)
-        results = [np.empty(shape, dtype) if target is None else target for target in targets]
+        results = [np.empty(shape, laid.dtype) if target is None else target for target in targets]
         self._compute(arrays, [x if _is_plain(x) else np.empty(shape) for x in results], results)
         results = tuple(result if shape else result[()] for result in results)
         return results[0] if scene.alone else results

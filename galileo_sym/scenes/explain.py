@@ -33,7 +33,9 @@ def explained(plan, lengths):
         rows.append((step.name, _over(step.axes), done, step.text))
     for result in plan.all_results:
         text = _MADE[result.operation].format(result.text)
-        rows.append((result.output, _over(result.axes), _counted(plan.result_counts(result)), text))
+        leader = plan.companions.get(result.output)
+        done = f"with {leader}" if leader else _counted(plan.result_counts(result))
+        rows.append((result.output, _over(result.axes), done, text))
     widths = [max(len(row[i]) for row in rows) for i in range(3)]
     lines = [f"{a:<{widths[0]}}  {b:<{widths[1]}}  {c:<{widths[2]}}  {d}".rstrip() for a, b, c, d in rows]
     totals = _totals(plan, times, lengths is not None)

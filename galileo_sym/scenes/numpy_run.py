@@ -40,9 +40,7 @@ def evaluate(plan, axes, outs, dtype, operations=OPERATIONS, source=None):
         within, void = admitted_axes(plan, axes)
         source = source or Fresh(plan, started(plan, within), operations)
         if plan.arrival is None:
-            made = source.factors()
-            each = zip(plan.results, outs, strict=True)
-            outputs = [shown(plan, result, source, made, within, shape, out, dtype) for result, out in each]
+            outputs = shown(plan, plan.results, source, source.factors(), within, shape, outs, dtype)
         else:
             outputs = ended(plan, within, shape, outs, dtype, source)
         return [_voided(result, output, void) for result, output in zip(plan.results, outputs, strict=True)]

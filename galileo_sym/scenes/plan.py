@@ -123,6 +123,17 @@ class Plan:
         arrival = [self.arrival] if self.arrival else []
         return tuple(dict.fromkeys([*arrival, *(end.limit for end in self.ends if end.limit)]))
 
+    @property
+    def companions(self):
+        """Outputs that another one's call of the public function gives, too: by name that other one's."""
+        first, found = {}, {}
+        for result in self.results:
+            if result.operation == "call" and result.axes == self.over:
+                leader = first.setdefault(result.function, result.output)
+                if leader != result.output:
+                    found[result.output] = leader
+        return found
+
     def points(self, axes, lengths):
         """Return how many elements there are over some axes."""
         return prod(lengths[axis] for axis in axes)
@@ -135,7 +146,9 @@ class Plan:
         return counts
 
     def result_counts(self, result):
-        """Return the operations at one point of an output, by kind: a Counter."""
+        """Return the operations at one point of an output, by kind: a Counter; none if another one's call gives it."""
+        if result.output in self.companions:
+            return Counter()
         if result.operation == "product":
             return Counter(multiply=1)
         if result.operation == "call":

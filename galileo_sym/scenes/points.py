@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from galileo_sym import _backend
+from galileo_sym.generated._functions import FUNCTIONS
 from galileo_sym.generated._kernel import DOMAINS, quiet
 
 _BLOCK = 32768  # points at a time where an output takes several operations: a few arrays stay in the cache
@@ -33,10 +34,23 @@ def placed(plan, result, made, axes, shape, out, dtype):
     dtype : numpy.dtype
         Of an array of its own.
     """
-    own = own_shape(axes, result.axes, len(shape))
-    target = out if out is not None and own == shape else np.empty(own, dtype)
-    _POINTS[result.operation](plan, result, made, axes, target)
-    return spread(target, shape, out)
+    (found,) = all_placed(plan, [result], made, axes, shape, [out], dtype)
+    return found
+
+
+def all_placed(plan, results, made, axes, shape, outs, dtype):
+    """Return several outputs as `placed` does; one call gives those of a plan that are of the same one."""
+    targets, calls = {}, {}
+    for result, out in zip(results, outs, strict=True):
+        own = own_shape(axes, result.axes, len(shape))
+        target = targets[result] = out if out is not None and own == shape else np.empty(own, dtype)
+        if result.operation == "call":
+            calls.setdefault(plan.companions.get(result.output, result.output), []).append((result, target))
+        else:
+            _POINTS[result.operation](plan, result, made, axes, target)
+    for members in calls.values():
+        _call(plan, members, axes)
+    return [spread(targets[result], shape, out) for result, out in zip(results, outs, strict=True)]
 
 
 def spread(target, shape, out):
@@ -62,9 +76,15 @@ def _number(plan, result, made, axes, target):
     target[...] = result.operands[0]
 
 
-def _call(plan, result, made, axes, target):
-    found = _backend.ufunc(result.ufunc)(*_arguments(plan, result, axes))
-    np.copyto(target, found, casting="same_kind")
+def _call(plan, members, axes):
+    """A call of the public function of some results, written to their targets."""
+    result, target = members[0]
+    name, out = result.ufunc, target
+    if len(members) > 1:
+        targets = {member.ufunc: found for member, found in members}
+        name, *each = next(names for names in FUNCTIONS[result.function]["ufuncs"].values() if name in names)
+        out = tuple(targets.get(one) for one in each)
+    _backend.ufunc(name)(*_arguments(plan, result, axes), out=out, casting="same_kind")
 
 
 def _copy(plan, result, made, axes, target):
@@ -157,4 +177,4 @@ def _put_odd(plan, result, found, axes, target):
     target[odd] = _backend.ufunc(result.ufunc)(*arguments)
 
 
-_POINTS = {"number": _number, "call": _call, "copy": _copy, "product": _product, "sum": _sum}
+_POINTS = {"number": _number, "copy": _copy, "product": _product, "sum": _sum}

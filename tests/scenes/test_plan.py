@@ -11,7 +11,7 @@ from scene_grids import CASES, OUTPUTS, axes, scene
 
 from galileo_sym import Scene, _backend
 from galileo_sym.scenes import points
-from galileo_sym.scenes.arrays import axis_arrays
+from galileo_sym.scenes.arrays import Axes
 from galileo_sym.scenes.numpy_run import evaluate
 from galileo_sym.scenes.operations import OPERATIONS
 from galileo_sym.scenes.plan import PRIMITIVES, TRANSCENDENTAL
@@ -71,9 +71,9 @@ def counted(plan, given, monkeypatch):
     monkeypatch.setattr(points, "np", Counting())
     monkeypatch.setattr(points, "_backend", Back)
     monkeypatch.setattr(points, "_SIGNED", {1: points.np.add, -1: points.np.subtract})
-    arrays, dtype, _ = axis_arrays(plan, given, True)
+    laid = Axes(plan, given, True)
     operations = {name: counting(name, function) for name, function in OPERATIONS.items()}
-    evaluate(plan, arrays, [None] * len(plan.results), dtype, operations)
+    evaluate(plan, laid.all_values(), [None] * len(plan.results), laid.dtype, operations)
     return total
 
 
@@ -129,6 +129,29 @@ def test_axes_that_no_factor_separates_are_left_to_the_public_function():
     scene = Scene("chord", over=("gamma", "theta"), outputs="descent_time", g=9.81, mu=0.2, diameter=1.0)
     (result,) = scene.plan.results
     assert (result.operation, result.axes) == ("call", ("gamma", "theta"))
+
+
+@pytest.mark.parametrize(
+    ("over", "grid", "outputs", "function"),
+    [
+        ("t", True, ("x", "y"), "chord_position_friction_drag"),
+        ("t", True, ("R", "X"), "chord_synchronous_circle_friction_drag"),
+        (("t", "theta"), False, ("x", "y"), "chord_position_friction_drag"),
+    ],
+)
+def test_outputs_of_one_function_are_one_call(over, grid, outputs, function, monkeypatch):
+    called = []
+    monkeypatch.setattr(points._backend, "ufunc", lambda name, get=_backend.ufunc: called.append(name) or get(name))
+    constants = {"theta": 0.4} if over == "t" else {}
+    scene = Scene("chord", over=over, outputs=outputs, g=9.81, mu=0.36, gamma=0.5, **constants)
+    axes = {"t": np.linspace(0.1, 1.0, 6), **({} if constants else {"theta": np.linspace(-1.0, 1.0, 6)})}
+    found = scene(grid=grid, **axes)
+    assert called == [function]
+    alone = [scene.with_outputs(name)(grid=grid, **axes) for name in outputs]
+    np.testing.assert_array_equal(found, alone)
+    if over == "t":
+        assert scene.cost(t=6)["t",]["call"] == 6
+        assert f"with {outputs[0]}" in scene.explain()
 
 
 def test_a_sum_takes_one_fma_a_point_of_the_extension_and_seven_operations_of_numpy(monkeypatch):
