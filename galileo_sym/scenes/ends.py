@@ -32,8 +32,9 @@ def ended(plan, axes, shape, outs, dtype, source):
     )
     targets = [_target(own_shape(axes, ends[r.output].axes, len(shape)), shape, given[r], dtype) for r in ending]
     parts = [cut(target, window) for target in targets]
-    all_placed(plan, ending, made, some, tuple(one.stop - one.start for one in window), parts, dtype)
-    late = _late(*(cut(array, window) for array in (time, early, arrival)))
+    inner = tuple(one.stop - one.start for one in window)
+    all_placed(plan, ending, made, some, inner, parts, dtype)
+    late = _late(*(cut(array, window) for array in (time, early, arrival)), inner)
     for result, target, part in zip(ending, targets, parts, strict=True):
         limit = _limit(ends[result.output], source, arrival)
         _settle(ends[result.output], part, cut(limit, window), late)
@@ -72,10 +73,10 @@ def _window(masks, shape):
     return tuple(slice(begin, max(begin, end)) for begin, end in bounds)
 
 
-def _late(time, early, arrival):
+def _late(time, early, arrival, shape):
     """Where something may have ended, as slices; and there what surely has, and where speeds are 0."""
     before = ~early & (time < arrival.min(initial=np.inf) * (1.0 - _CLEARLY))
-    index = _window([before], np.broadcast_shapes(before.shape, arrival.shape))
+    index = _window([before], shape)
     time, early, arrival = (cut(array, index) for array in (time, early, arrival))
     return index, time > arrival * (1.0 + _CLEARLY), early | (time > arrival)
 

@@ -24,6 +24,15 @@ def test_beads_start_at_the_top_slide_and_stay_at_the_end_of_the_chord():
         np.testing.assert_allclose(found, wanted, rtol=ULP, atol=0.0)
 
 
+def test_without_friction_all_beads_arrive_at_once():
+    """At one time, so that no arrival is over the axis of the angles; after it in the midst of others."""
+    scene, theta, time = BEADS.without("friction"), THETA[10:14], np.array([0.1, 3.0, 0.2, -1.0, 0.3])
+    found = dict(zip(scene.outputs, scene(t=time, theta=theta), strict=True))
+    np.testing.assert_array_equal(found["speed"][[1, 3]], np.zeros((2, 4)))
+    np.testing.assert_allclose(found["distance"][1], 1.3 * np.cos(theta), rtol=ULP)
+    assert np.all(found["speed"][[0, 2, 4]] > 0.0)
+
+
 def test_projectiles_stay_where_they_land():
     shot = {"v": 20.0, "g": 9.81, "k": 0.3}
     theta = np.linspace(0.0, np.pi / 2, 21)[:, None]
