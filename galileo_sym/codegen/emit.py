@@ -6,7 +6,6 @@ import os
 import tempfile
 from importlib import resources
 from importlib.util import find_spec
-from itertools import product
 from pathlib import Path
 
 import mpmath
@@ -69,7 +68,17 @@ _C_TEMPLATES = (
     "primitives.c",
     "roots.c",
 )
-_EXTENSION_TEMPLATES = ("entries.c", "loops.c", "loops_of_type.h", "module.c", "promotion.c")
+_EXTENSION_TEMPLATES = (
+    "entries.c",
+    "loops.c",
+    "loops_of_type.h",
+    "module.c",
+    "promotion.c",
+    "steps.c",
+    "steps.h",
+    "sums.c",
+    "sums.h",
+)
 _TEMPLATES = resources.files("galileo_sym.codegen") / "templates"
 
 
@@ -149,9 +158,8 @@ def _sources():
     files["c/galileo_singles.h"] = _c("templates/c/galileo_singles.h", quick)
     files["c/galileo_scaled.h"] = _c("the catalogue", lanes.scaled_header())
     files["c/galileo_forms.h"] = _c("the stable forms of both papers", lanes.forms_header())
-    for name, suffix in product(kernels.VERSIONED, kernels.TARGETS):
-        text = kernels.target_source(_template("c/target.c"), name, suffix)
-        files[f"c/{name}_{suffix}.c"] = _c("templates/c/target.c", text)
+    for name, text in kernels.target_sources(_template("c/target.c"), "c").items():
+        files[name] = _c("templates/c/target.c", text)
     versions = _template("c/galileo_versions.h").replace("@CONDITION@", kernels.CONDITION)
     files["c/galileo_versions.h"] = _c("templates/c/galileo_versions.h", versions)
     files["c/lanes.c"] = _c("the stable forms of both papers", lanes.public_source(_template("c/lanes.c")))
@@ -173,6 +181,8 @@ def _extension(files):
     made = {"extension/extension.h": _c("templates/extension/extension.h", header)}
     for name in _EXTENSION_TEMPLATES:
         made[f"extension/{name}"] = _c(f"templates/extension/{name}", _template(f"extension/{name}"))
+    for name, text in kernels.target_sources(_template("c/target.c"), "extension").items():
+        made[name] = _c("templates/c/target.c", text)
     digest = sources_digest({name: text.encode() for name, text in (files | made).items()})
     return made | {"extension/tables.c": _c("the catalogue", ufunc.tables(digest))}
 

@@ -129,21 +129,27 @@ def runnable():
     return ("plain", *(s for s, (_, needed, _) in TARGETS.items() if found.issuperset(needed.split(","))))
 
 
-# source: (what it holds, the header that defines it)
+# source: (what it holds, the header that defines it, for which machines)
 VERSIONED = {
-    "special": ("The primitives", "galileo_singles.h"),
-    "lanes": ("The formulas of the papers", "galileo_forms.h"),
+    "c/special": ("The primitives", "galileo_singles.h", tuple(TARGETS)),
+    "c/lanes": ("The formulas of the papers", "galileo_forms.h", tuple(TARGETS)),
+    "extension/steps": ("Steps of scenes", "steps.h", ("fma",)),
+    "extension/sums": ("Sums of scenes", "sums.h", ("avx512", "avx2")),
 }
 
 
-def target_source(template, name, suffix):
-    """Return the text of one version of a source of `VERSIONED`."""
-    machine, features, lanes = TARGETS[suffix]
-    what, header = VERSIONED[name]
-    words = {"MACHINE": machine, "FEATURES": features, "LANES": str(lanes), "SUFFIX": suffix, "CONDITION": CONDITION}
-    for word, text in (words | {"WHAT": what, "HEADER": header}).items():
-        template = template.replace(f"@{word}@", text)
-    return template
+def target_sources(template, folder):
+    """Return the text of each version of the sources of `VERSIONED` in a folder, by path."""
+    found = {}
+    for name, (what, header, suffixes) in VERSIONED.items():
+        for suffix in suffixes if name.startswith(f"{folder}/") else ():
+            machine, features, lanes = TARGETS[suffix]
+            words = {"MACHINE": machine, "FEATURES": features, "LANES": str(lanes), "SUFFIX": suffix, "WHAT": what}
+            text = template
+            for word, meant in (words | {"HEADER": header, "CONDITION": CONDITION}).items():
+                text = text.replace(f"@{word}@", meant)
+            found[f"{name}_{suffix}.c"] = text
+    return found
 
 
 def public_source(template, loops):

@@ -1,6 +1,7 @@
 """Axes as arrays that broadcast to the grid, and the arrays that outputs are written to."""
 
 from itertools import accumulate
+from math import prod
 
 import numpy as np
 
@@ -28,6 +29,8 @@ class Axes:
         Of the outputs.
     dtype : numpy.dtype
         Of the outputs.
+    shares : bool
+        Whether a value of some axis serves several points.
     """
 
     def __init__(self, plan, given, grid):
@@ -41,6 +44,8 @@ class Axes:
         else:
             self.shape = np.broadcast_shapes(*shapes.values())
             ends = [len(self.shape)] * len(shapes)
+        points = prod(self.shape)
+        self.shares = grid or any(1 < prod(shape) < points for shape in shapes.values())
         self._first = {name: int(end) - len(shapes[name]) for name, end in zip(shapes, ends, strict=True)}
 
     def dimensions(self, names):
@@ -66,6 +71,10 @@ class Axes:
                 found.update(accumulate(array.chunks[place]))
         return sorted(found)
 
+    def all_values(self):
+        """Return all of each axis, as `values` does, by name."""
+        return {name: self.values(name) for name in self._given}
+
     def values(self, name, block=None):
         """Return an axis as float64 with the dimensions of the outputs: all of it, or what belongs to a block.
 
@@ -83,12 +92,6 @@ class Axes:
         array = np.asarray(array)
         after = len(self.shape) - first - array.ndim
         return _widened(array, self._domains[name]).reshape((1,) * first + array.shape + (1,) * after)
-
-
-def axis_arrays(plan, given, grid):
-    """Return the axes as arrays of float64, the dtype of the outputs, and their shape: see `Axes`."""
-    laid = Axes(plan, given, grid)
-    return {name: laid.values(name) for name in plan.over}, laid.dtype, laid.shape
 
 
 def is_lazy(array):

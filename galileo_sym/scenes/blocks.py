@@ -11,6 +11,7 @@ from math import prod
 
 import numpy as np
 
+from galileo_sym import _backend
 from galileo_sym.progress import progress_bar
 from galileo_sym.scenes.arrays import Axes, checked_outs
 from galileo_sym.scenes.kept import CALL, Kept
@@ -18,7 +19,10 @@ from galileo_sym.scenes.numpy_run import evaluate
 from galileo_sym.scenes.sources import cut
 
 _SMALL = 2**18  # bytes of small objects, and of the buffers of a cast
-_POINT = {"sum": 64, "call": CALL}  # bytes a point beside the output, by operation of a result
+_POINT = {
+    "sum": {"c": 0, "numpy": 64}[_backend.NAME],
+    "call": CALL,
+}  # bytes a point beside the output, by operation of a result
 _ODD = 64 + CALL  # where factors do not serve
 _ENDED = 32
 _MOST = _ODD + _ENDED + 64
@@ -30,15 +34,16 @@ class Blocks:
 
     Parameters
     ----------
-    plan : Plan
+    scene : Scene
     given : dict of str to array_like
         The axes.
     max_bytes, grid, out
         As for `blocks_of`.
     """
 
-    def __init__(self, plan, given, *, max_bytes, grid, out):
-        self._plan, self._axes = plan, Axes(plan, given, grid)
+    def __init__(self, scene, given, *, max_bytes, grid, out):
+        self._axes = Axes(scene.plan, given, grid)
+        plan = self._plan = scene.plan_for(self._axes)
         self._targets = checked_outs(out, len(plan.results), self._axes.shape)
         self._kept = Kept(plan, self._axes)
         self._bounds = [self._axes.bounds(d) for d in range(len(self._axes.shape))]
@@ -162,7 +167,7 @@ def blocks_of(scene, *, max_bytes, grid=True, out=None, progress=False, **axes):
     >>> axes = {"t": np.linspace(0.0, 1.0, 3000), "theta": np.linspace(-1.0, 1.0, 1000)}
     >>> lowest = max(y.max() for _, y in scene.blocks(**axes, max_bytes=2**22))
     """
-    blocks = Blocks(scene.plan, scene.checked_axes(axes), max_bytes=max_bytes, grid=grid, out=out)
+    blocks = Blocks(scene, scene.checked_axes(axes), max_bytes=max_bytes, grid=grid, out=out)
     return _yielded(blocks, scene.alone, progress)
 
 

@@ -15,7 +15,14 @@ def grid_lines(nests):
         return []
     values = {axis: f"{axis}[i_{axis}]" for axis in plan.over}
     heads = {axis: used(admitted(axis, value, plan), body) for axis, value in values.items()}
-    return nested(plan.over, [f"const size_t cell = {index(plan.over)};", *body], heads=heads)
+    lines = nested(plan.over, [f"const size_t cell = {index(plan.over)};", *body], heads=heads)
+    return _without_underflow(lines) if any(result.operation == "sum" for result in plan.results) else lines
+
+
+def _without_underflow(lines):
+    """Lines that leave no flag of an underflow: products of rests may be that small, a sum never is."""
+    before = "    const int too_small = fetestexcept(FE_UNDERFLOW);"
+    return [before, *lines, "    if (!too_small)", "        feclearexcept(FE_UNDERFLOW);"]
 
 
 def _point(nests, result):

@@ -7,6 +7,7 @@ from galileo_sym.scenes.results import force_set
 
 _HEADS = ("name", "over", "operations", "gives")
 _ONCE = "once"
+_FMA = "fma: a b + c of numbers in two parts, in one pass: 3 multiplications and 4 additions of doubles"
 _MADE = {
     "product": "{}",
     "sum": "{}, from parts, so that no digits are lost where it cancels",
@@ -32,10 +33,14 @@ def explained(plan, lengths):
         rows.append((step.name, _over(step.axes), done, step.text))
     for result in plan.all_results:
         text = _MADE[result.operation].format(result.text)
-        rows.append((result.output, _over(result.axes), _counted(plan.result_counts(result)), text))
+        leader = plan.companions.get(result.output)
+        done = f"with {leader}" if leader else _counted(plan.result_counts(result))
+        rows.append((result.output, _over(result.axes), done, text))
     widths = [max(len(row[i]) for row in rows) for i in range(3)]
     lines = [f"{a:<{widths[0]}}  {b:<{widths[1]}}  {c:<{widths[2]}}  {d}".rstrip() for a, b, c, d in rows]
-    return "\n".join([headline(plan, lengths), "", *lines, "", *_totals(plan, times, lengths is not None)])
+    totals = _totals(plan, times, lengths is not None)
+    notes = [_FMA] if any("fma" in plan.result_counts(result) for result in plan.all_results) else []
+    return "\n".join([headline(plan, lengths), "", *lines, "", *totals, *notes])
 
 
 def headline(plan, lengths):

@@ -30,6 +30,8 @@ class Factor(NamedTuple):
 def sliding(force):
     """Return a driving force with 1 where it holds the bead, and where that is."""
     held = force.hi <= 0.0
+    if not held.any():
+        return Rest(force, held)
     one = Scaled(np.where(held, 1.0, force.hi), np.where(held, 0.0, force.lo), np.where(held, 0, force.e))
     return Rest(one, held)
 
@@ -46,7 +48,11 @@ def in_range(value):
 def rounded_factor(value, at_rest, *forces):
     """Return a pair as doubles; the value at rest where one of the driving forces holds the bead."""
     hi, _, e, odd = in_range(value)
-    number = np.ldexp(hi, e)
+    return settled(np.ldexp(hi, e), odd, at_rest, *forces)
+
+
+def settled(number, odd, at_rest, *forces):
+    """Return doubles as a factor: the value at rest, in range, where one of the driving forces holds the bead."""
     for force in forces:
         if force.held.any():
             number = np.where(force.held, at_rest, number)

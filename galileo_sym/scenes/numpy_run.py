@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+
 import numpy as np
 
 from galileo_sym.scenes.arrays import admitted_axes
 from galileo_sym.scenes.ends import ended
 from galileo_sym.scenes.operations import OPERATIONS
 from galileo_sym.scenes.sources import Fresh, shown, started
+
+_BUFFER = 512  # elements: with larger buffers NumPy copies what is broadcast along rows of a grid, at thrice the time
 
 
 def evaluate(plan, axes, outs, dtype, operations=OPERATIONS, source=None):
@@ -32,15 +36,23 @@ def evaluate(plan, axes, outs, dtype, operations=OPERATIONS, source=None):
     list of ndarray
     """
     shape = np.broadcast_shapes(*(values.shape for values in axes.values()))
-    within, void = admitted_axes(plan, axes)
-    source = source or Fresh(plan, started(plan, within), operations)
-    if plan.arrival is None:
-        made = source.factors()
-        each = zip(plan.results, outs, strict=True)
-        outputs = [shown(plan, result, source, made, within, shape, out, dtype) for result, out in each]
-    else:
-        outputs = ended(plan, within, shape, outs, dtype, source)
-    return [_voided(result, output, void) for result, output in zip(plan.results, outputs, strict=True)]
+    with _small_buffers():
+        within, void = admitted_axes(plan, axes)
+        source = source or Fresh(plan, started(plan, within), operations)
+        if plan.arrival is None:
+            outputs = shown(plan, plan.results, source, source.factors(), within, shape, outs, dtype)
+        else:
+            outputs = ended(plan, within, shape, outs, dtype, source)
+        return [_voided(result, output, void) for result, output in zip(plan.results, outputs, strict=True)]
+
+
+@contextmanager
+def _small_buffers():
+    before = np.setbufsize(_BUFFER)
+    try:
+        yield
+    finally:
+        np.setbufsize(before)
 
 
 def _voided(result, output, void):

@@ -113,6 +113,8 @@ class _Writer:
 
     def _output(self, result, used):
         lines = [f"    {result.output} = np.array(np.broadcast_to({self._value(result)}, shape))"]
+        if result.operation == "sum":  # products of rests may underflow
+            lines = ["    with quiet():", *(f"    {line}" for line in lines)]
         if result in self.separated:
             lines += self._redone(result, used)
         if result.output in self.ends:

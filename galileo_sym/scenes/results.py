@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 from galileo_sym.generated._functions import FUNCTIONS
 from galileo_sym.generated._graphs import SYSTEMS
@@ -35,7 +34,7 @@ _LIMITS = {
 }
 
 
-def plan_of(system, over, constants, outputs, *, direct, ending=False):
+def plan_of(system, over, constants, outputs, *, direct, ending=False, split=True):
     """Return the plan of a scene.
 
     Parameters
@@ -50,6 +49,8 @@ def plan_of(system, over, constants, outputs, *, direct, ending=False):
         Whether an output whose axes do not separate is left to the public function; else it has steps of its own.
     ending : bool, optional
         Whether nothing moves before the start, nor after arrival or landing.
+    split : bool, optional
+        Whether outputs are made of factors on fewer axes where there are such.
 
     Returns
     -------
@@ -58,15 +59,15 @@ def plan_of(system, over, constants, outputs, *, direct, ending=False):
     acting = tuple(a for a in SYSTEMS[system]["forces"].values() if a in over or a in constants)
     specialiser = Specialiser(over, constants)
 
-    def result(output, split):
+    def result(output, split=False):
         return _result(specialiser, system, acting, output, direct, split)
 
-    results = tuple(result(output, True) for output in outputs)
+    results = tuple(result(output, split) for output in outputs)
     arrival, ends = None, ()
     if ending and any(output in _LIMITS[system] for output in outputs):
-        arrival = result(_ARRIVAL[system], False)
+        arrival = result(_ARRIVAL[system])
         ending_ones = [r for r in results if r.output in _LIMITS[system]]
-        ends = tuple(_end(specialiser, system, r, arrival, partial(result, split=False)) for r in ending_ones)
+        ends = tuple(_end(specialiser, system, r, arrival, result) for r in ending_ones)
     domains = {name: domain for name, (domain, _) in SYSTEMS[system]["arguments"].items()}
     plan = Plan(system, over, tuple(constants.items()), tuple(domains.items()), (), results, arrival, ends)
     return replace(plan, steps=needed(tuple(specialiser.made.values()), plan.all_results))

@@ -17,7 +17,7 @@ from galileo_sym.scenes.arguments import (
     known_name,
     when_it_ends,
 )
-from galileo_sym.scenes.arrays import axis_arrays, checked_outs
+from galileo_sym.scenes.arrays import Axes, checked_outs
 from galileo_sym.scenes.blocks import blocks_of
 from galileo_sym.scenes.compiled import compiled
 from galileo_sym.scenes.curves import curve_of
@@ -112,9 +112,18 @@ class Scene:
         """What is computed: a `galileo_sym.scenes.plan.Plan`."""
         return self._plan(direct=True)
 
-    def _plan(self, *, direct):
+    @cached_property
+    def pointwise_plan(self):
+        """What is computed where no value of an axis serves several points: all by the public functions."""
+        return self._plan(direct=True, split=False)
+
+    def _plan(self, **ways):
         ending = self.until in ENDS.values()
-        return plan_of(self.system, self.over, self._constants, self.outputs, direct=direct, ending=ending)
+        return plan_of(self.system, self.over, self._constants, self.outputs, ending=ending, **ways)
+
+    def plan_for(self, laid):
+        """Return the plan for axes, an `arrays.Axes`."""
+        return self.plan if laid.shares else self.pointwise_plan
 
     def with_outputs(self, *outputs):
         """Return the scene with other outputs: names, or one sequence of names; a single name gives a single array."""
@@ -146,7 +155,7 @@ class Scene:
         ----------
         grid : bool, optional
             Whether the outputs are over the outer grid of the axes, with the shapes of these one after the other; else
-            the axes broadcast as they are.
+            the axes broadcast as they are: where no value serves several points, by one call of the public function.
         out : ndarray or tuple of ndarray, optional
             Where the outputs are written, one for each: float64 or float32, of the shape of the result.
         **axes : array_like
@@ -164,9 +173,10 @@ class Scene:
         TypeError
             For missing or unknown axes, dtypes that are not supported, and `out` of another shape or type.
         """
-        arrays, dtype, shape = axis_arrays(self.plan, self.checked_axes(axes), grid)
-        found = evaluate(self.plan, arrays, checked_outs(out, len(self.outputs), shape), dtype)
-        found = tuple(array[()] if not shape else array for array in found)
+        laid = Axes(self.plan, self.checked_axes(axes), grid)
+        outs = checked_outs(out, len(self.outputs), laid.shape)
+        found = evaluate(self.plan_for(laid), laid.all_values(), outs, laid.dtype)
+        found = tuple(array if laid.shape else array[()] for array in found)
         return found[0] if self.alone else found
 
     blocks = blocks_of

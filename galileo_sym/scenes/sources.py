@@ -6,7 +6,7 @@ import numpy as np
 
 from galileo_sym.scenes.operations import make_steps
 from galileo_sym.scenes.plan import needed
-from galileo_sym.scenes.points import own_shape, placed, spread
+from galileo_sym.scenes.points import all_placed, own_shape, placed, spread
 
 
 def cut(value, part):
@@ -35,11 +35,17 @@ def started(plan, axes):
     return {**axes, "t": np.where(axes["t"] < 0.0, 0.0, axes["t"])}
 
 
-def shown(plan, result, source, made, axes, shape, out, dtype):
-    """Return an output: placed at its points, or what a source has of it on fewer axes, spread over all."""
-    if set(result.axes) < set(plan.over):
-        return spread(source.own(result).astype(dtype), shape, out)
-    return placed(plan, result, made, axes, shape, out, dtype)
+def shown(plan, results, source, made, axes, shape, outs, dtype):
+    """Return outputs: placed at their points, or what a source has of them on fewer axes, spread over all."""
+    given = dict(zip(results, outs, strict=True))
+    everywhere = [result for result in results if not set(result.axes) < set(plan.over)]
+    targets = [given[result] for result in everywhere]
+    placed_ones = all_placed(plan, everywhere, made, axes, shape, targets, dtype)
+    found = dict(zip(everywhere, placed_ones, strict=True))
+    for result in results:
+        if result not in found:
+            found[result] = spread(source.own(result).astype(dtype), shape, given[result])
+    return [found[result] for result in results]
 
 
 class Fresh:
@@ -57,19 +63,17 @@ class Fresh:
     def __init__(self, plan, axes, operations):
         self._plan, self._axes, self._operations, self._made = plan, axes, operations, {}
 
-    def _make(self, steps, axes):
-        missing = [step for step in steps if step.name not in self._made]
-        self._made.update(make_steps(missing, axes, self._operations, self._made))
-
     def own(self, result):
         """Return a result on the axes it depends on, not on times: in float64."""
-        self._make(needed(self._plan.steps, [result]), self._axes)
+        missing = [step for step in needed(self._plan.steps, [result]) if step.name not in self._made]
+        self._made = make_steps(missing, self._axes, self._operations, self._made)
         dimensions = next(iter(self._axes.values())).ndim
         shape = own_shape(self._axes, result.axes, dimensions)
         return placed(self._plan, result, self._made, self._axes, shape, None, np.float64)
 
     def factors(self, part=...):
-        """Return what the steps give, by name, at a part of the times: slices along all dimensions, or Ellipsis."""
-        some = {name: cut(values, part) if name == "t" else values for name, values in self._axes.items()}
-        self._make(self._plan.steps, some)
-        return self._made
+        """Return what the steps give, by name, at a part of the grid: slices along all dimensions, or Ellipsis."""
+        known = {name: cut(value, part) for name, value in self._made.items()}
+        axes = {name: cut(values, part) for name, values in self._axes.items()}
+        missing = [step for step in self._plan.steps if step.name not in known]
+        return make_steps(missing, axes, self._operations, known)

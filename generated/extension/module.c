@@ -46,7 +46,9 @@ static int gs_fill(PyObject *module)
     for (int i = 0; i < GS_UFUNCS; i++)
         if (gs_add_ufunc(module, gs_ufuncs + i, data[i]) < 0)
             return -1;
-    if (gs_ready_entries(module) < 0 || PyModule_AddStringConstant(module, "SOURCES", gs_sources) < 0)
+    if (gs_add_sums(module) < 0 || gs_add_steps(module) < 0 || gs_ready_entries(module) < 0)
+        return -1;
+    if (PyModule_AddStringConstant(module, "SOURCES", gs_sources) < 0)
         return -1;
     if (PyModule_AddStringConstant(module, "VECTORS", gs_vectors()) < 0)
         return -1;

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from galileo_sym import Scene, chord, projectile
-from galileo_sym.scenes import operations
+from galileo_sym.scenes import ends, operations
 
 GIVEN = {"g": 9.81, "mu": 0.36, "gamma": 0.5}
 BEADS = Scene("chord", over=("t", "theta"), outputs=("x", "y", "distance", "speed"), diameter=1.3, **GIVEN)
@@ -22,6 +22,15 @@ def test_beads_start_at_the_top_slide_and_stay_at_the_end_of_the_chord():
     expected = gone * np.sin(THETA), gone * np.cos(THETA), gone, speed
     for found, wanted in zip(BEADS(t=T, theta=THETA), expected, strict=True):
         np.testing.assert_allclose(found, wanted, rtol=ULP, atol=0.0)
+
+
+def test_without_friction_all_beads_arrive_at_once():
+    """At one time, so that no arrival is over the axis of the angles; after it in the midst of others."""
+    scene, theta, time = BEADS.without("friction"), THETA[10:14], np.array([0.1, 3.0, 0.2, -1.0, 0.3])
+    found = dict(zip(scene.outputs, scene(t=time, theta=theta), strict=True))
+    np.testing.assert_array_equal(found["speed"][[1, 3]], np.zeros((2, 4)))
+    np.testing.assert_allclose(found["distance"][1], 1.3 * np.cos(theta), rtol=ULP)
+    assert np.all(found["speed"][[0, 2, 4]] > 0.0)
 
 
 def test_projectiles_stay_where_they_land():
@@ -57,6 +66,27 @@ def test_times_after_the_last_arrival_are_not_computed(monkeypatch):
     assert seen == [moving]
     assert np.all(x[-1] == x[moving])
     assert moving < 100
+
+
+@pytest.mark.parametrize("outputs", [BEADS.outputs, "speed"], ids=["all", "speed"])
+def test_rows_and_columns_in_which_nothing_moves_are_filled(outputs, monkeypatch):
+    """Beads at 1.3 and beyond are at rest; those at 0.2, -0.7 and 1.0 arrive after 0.56, 0.65 and 0.83 s."""
+    seen, placed, scene = [], ends.all_placed, BEADS.with_outputs(outputs)
+    monkeypatch.setattr(ends, "all_placed", lambda *given: seen.append(given[4]) or placed(*given))
+    theta = np.array([-1.5, -1.3, -0.7, 1.4, 0.2, 1.0, 1.3, 1.5])
+    time = np.array([-2.0, -1.0, 0.0, -0.5, 0.1, 0.6, 1e6, 1e7])
+    whole = np.reshape(scene(t=time, theta=theta), (-1, 8, 8))
+    assert seen.pop() == (4, 4)
+    inside = np.roll(np.arange(8), 3)  # what moves is at the borders: nothing is left out
+    mixed = np.reshape(scene(t=time[inside], theta=theta[inside]), whole.shape)
+    assert seen.pop() == (8, 8)
+    np.testing.assert_array_equal(mixed, whole[:, inside][:, :, inside])
+    late = np.reshape(scene(t=[0.7], theta=[0.2, -0.7, 1.0, 1.4]), (-1, 4))
+    assert seen.pop() == (1, 1)
+    each = [
+        np.reshape(scene(t=[0.1, 0.7], theta=[1.0, angle, 1.0]), (-1, 2, 3))[:, 1, 1] for angle in (0.2, -0.7, 1.0, 1.4)
+    ]
+    np.testing.assert_array_equal(late, np.transpose(each))
 
 
 def test_out_types_missing_values_and_other_axes():

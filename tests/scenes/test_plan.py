@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from collections import Counter
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from scene_grids import CASES, OUTPUTS, axes, scene
 
 from galileo_sym import Scene, _backend
 from galileo_sym.scenes import points
-from galileo_sym.scenes.arrays import axis_arrays
+from galileo_sym.scenes.arrays import Axes
 from galileo_sym.scenes.numpy_run import evaluate
 from galileo_sym.scenes.operations import OPERATIONS
 from galileo_sym.scenes.plan import PRIMITIVES, TRANSCENDENTAL
@@ -42,34 +43,47 @@ def counted(plan, given, monkeypatch):
         def __getattr__(self, name):
             return getattr(np, name)
 
-        def multiply(self, *operands, **options):
-            made = np.multiply(*operands, **options)
-            total["multiply"] += made.size
-            return made
+        def __init__(self):
+            self.multiply, self.add, self.subtract = (
+                by_size(kind, function)
+                for kind, function in (("multiply", np.multiply), ("add", np.add), ("add", np.subtract))
+            )
 
-    def ufunc(name):
-        served = _backend.ufunc(name)
-
-        def called(*operands):
-            made = served(*operands)
-            total["call"] += np.size(made)
+    def by_size(kind, function):
+        def called(*operands, **options):
+            made = function(*operands, **options)
+            total[kind] += np.size(made)
             return made
 
         return called
 
+    class Back:
+        """The back end, as that module sees it."""
+
+        EXTENSION = _backend.EXTENSION and SimpleNamespace(
+            _sum_of_products=by_size("fma", _backend.EXTENSION._sum_of_products)
+        )
+
+        @staticmethod
+        def ufunc(name):
+            return by_size("call", _backend.ufunc(name))
+
     monkeypatch.setattr(points, "np", Counting())
-    monkeypatch.setattr(points, "_backend", type("Back", (), {"ufunc": staticmethod(ufunc)}))
-    arrays, dtype, _ = axis_arrays(plan, given, True)
+    monkeypatch.setattr(points, "_backend", Back)
+    monkeypatch.setattr(points, "_SIGNED", {1: points.np.add, -1: points.np.subtract})
+    laid = Axes(plan, given, True)
     operations = {name: counting(name, function) for name, function in OPERATIONS.items()}
-    evaluate(plan, arrays, [None] * len(plan.results), dtype, operations)
+    evaluate(plan, laid.all_values(), [None] * len(plan.results), laid.dtype, operations)
     return total
 
 
 @pytest.mark.parametrize(("system", "force_set"), CASES)
-def test_the_counts_are_those_of_a_run(system, force_set, monkeypatch):
+@pytest.mark.parametrize("extension", [True, False] if _backend.EXTENSION else [False])
+def test_the_counts_are_those_of_a_run(system, force_set, extension, monkeypatch):
+    if not extension:
+        monkeypatch.setattr(_backend, "EXTENSION", None)
     given = {"t": np.linspace(0.1, 1.0, 5), "theta": np.linspace(0.1, 1.0, 7)}
-    separable = [name for name in OUTPUTS[system] if name not in ("y", "vy") or system == "chord"]
-    plan = scene(system, force_set, separable).plan
+    plan = scene(system, force_set, OUTPUTS[system]).plan
     told = sum(plan.cost({"t": 5, "theta": 7}).values(), Counter())
     called = {
         r.output: r.transcendental * np.prod([len(given[a]) for a in r.axes])
@@ -117,9 +131,44 @@ def test_axes_that_no_factor_separates_are_left_to_the_public_function():
     assert (result.operation, result.axes) == ("call", ("gamma", "theta"))
 
 
-def test_a_sum_takes_three_multiplications_and_four_additions_a_point():
-    cost = SHOT.with_outputs("y").cost(t=10, theta=10)
-    assert cost["t", "theta"] == {"multiply": 300, "add": 400}
+@pytest.mark.parametrize(
+    ("over", "grid", "outputs", "function"),
+    [
+        ("t", True, ("x", "y"), "chord_position_friction_drag"),
+        ("t", True, ("R", "X"), "chord_synchronous_circle_friction_drag"),
+        (("t", "theta"), False, ("x", "y"), "chord_position_friction_drag"),
+    ],
+)
+def test_outputs_of_one_function_are_one_call(over, grid, outputs, function, monkeypatch):
+    called = []
+    monkeypatch.setattr(points._backend, "ufunc", lambda name, get=_backend.ufunc: called.append(name) or get(name))
+    constants = {"theta": 0.4} if over == "t" else {}
+    scene = Scene("chord", over=over, outputs=outputs, g=9.81, mu=0.36, gamma=0.5, **constants)
+    axes = {"t": np.linspace(0.1, 1.0, 6), **({} if constants else {"theta": np.linspace(-1.0, 1.0, 6)})}
+    found = scene(grid=grid, **axes)
+    assert called == [function]
+    alone = [scene.with_outputs(name)(grid=grid, **axes) for name in outputs]
+    np.testing.assert_array_equal(found, alone)
+    if over == "t":
+        assert scene.cost(t=6)["t",]["call"] == 6
+        assert f"with {outputs[0]}" in scene.explain()
+
+
+def test_a_sum_takes_one_fma_a_point_of_the_extension_and_seven_operations_of_numpy(monkeypatch):
+    alone = SHOT.with_outputs("y")
+    if _backend.EXTENSION:
+        assert alone.cost(t=10, theta=10)["t", "theta"] == {"fma": 100}
+        assert "fma: a b + c" in alone.explain()
+    monkeypatch.setattr(_backend, "EXTENSION", None)
+    assert alone.cost(t=10, theta=10)["t", "theta"] == {"multiply": 300, "add": 400}
+    assert "fma" not in alone.explain()
+
+
+def test_buffers_of_numpy_are_as_they_were():
+    before = np.getbufsize()
+    with pytest.raises(FloatingPointError), np.errstate(invalid="raise"):
+        SHOT(t=[-1.0], theta=[0.1])
+    assert np.getbufsize() == before
 
 
 def test_outputs_share_what_they_have_in_common():

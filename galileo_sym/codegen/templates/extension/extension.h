@@ -70,6 +70,10 @@ void gs_loop_single(char **args, const npy_intp *counts, const npy_intp *steps, 
 /* Lets a ufunc of so many inputs and outputs serve integers, half precision and mixtures; -1 with an exception set. */
 int gs_add_promoter(PyObject *ufunc, int inputs, int outputs);
 
+/* Add the ufuncs of scenes to the module: of sums at points, of steps; -1 with an exception set. */
+int gs_add_sums(PyObject *module);
+int gs_add_steps(PyObject *module);
+
 /* What calls public functions: entry(name, otherwise), a method of the module. */
 PyObject *gs_new_entry(PyObject *module, PyObject *args);
 int gs_ready_entries(PyObject *module);
