@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "1fbfc666450bb3ac9e51a4a16bfb0276a125b0d0139cb85b017409fdeb910a26";
+const char gs_sources[] = "86b7eed8624ada0a540e71c3ab58a6682eb0b4886571c3efe76388c69043c204";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};
