@@ -8,19 +8,20 @@ those alone is computed once.
 from dataclasses import dataclass
 
 from galileo_sym.codegen.hoisting import hoisted, operands_of
+from galileo_sym.codegen.lane_steps import lane_schedule, told_name
 from galileo_sym.codegen.printing import counts_text, sources_text
-from galileo_sym.codegen.schedule import schedule
-from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name
+from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name, widened_name
 
 _AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
+_FAILING = {"driving": ("good", "held")} | dict.fromkeys(("below", "arctangent", "shot", "launch"), ("good",))
 
 
 @dataclass(frozen=True)
 class Arithmetic:
     """How a form computes: C types, what its operations begin with, and which of them may fail in a lane.
 
-    ``kind`` is the type of arguments and results; ``number`` and ``turn`` the types of values
-    and angles. ``load``, ``store``, ``padded`` name what moves vectors; ``taken`` makes a number of a lane's argument,
+    ``kind`` is the type of arguments and results; ``number`` the type of values, ``types`` those of what certain nodes
+    give. ``load``, ``store``, ``padded`` name what moves vectors; ``taken`` makes a number of a lane's argument,
     ``rate`` of one that is a rate, ``value`` a lane's result of a number; ``widened`` makes a double of an argument for
     the scaled form. ``ordinary`` tests arguments by domain; ``failing`` gives the masks that an operation changes.
     """
@@ -28,7 +29,7 @@ class Arithmetic:
     kind: str
     prefix: str
     number: str
-    turn: str
+    types: dict
     load: str
     store: str
     padded: str
@@ -44,7 +45,7 @@ DOUBLE = Arithmetic(
     kind="double",
     prefix="gs_vp_",
     number="gs_vp",
-    turn="gs_turn",
+    types={"angle": "gs_turn", "shot": "gs_vp_best", "launch": "gs_vp_angles"},
     load="gs_v_load",
     store="gs_v_store",
     padded="gs_padded",
@@ -60,13 +61,13 @@ DOUBLE = Arithmetic(
         "elevation": "gs_between_or_0({}, 0x1p-100, GS_HALF_TURN_0)",
         "chord angle, idle": "gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs({}))",
     },
-    failing={"driving": ("good", "held"), "phi0m": ("good",), "range_balance": ("good",)},
+    failing=_FAILING | {"phi0m": ("good",), "range_balance": ("good",)},
 )
 SINGLE = Arithmetic(
     kind="float",
     prefix="gs_s_",
     number="gs_v",
-    turn="gs_turn_single",
+    types={"angle": "gs_turn_single", "shot": "gs_best", "launch": "gs_s_angles"},
     load="gs_v_widen",
     store="gs_v_narrow",
     padded="gs_padded_single",
@@ -82,7 +83,7 @@ SINGLE = Arithmetic(
         "elevation": "gs_between({}, 0.0, GS_HALF_TURN_SINGLE)",
         "chord angle, idle": "gs_between(gs_abs({}), 0.0, GS_HALF_TURN_SINGLE)",
     },
-    failing={"driving": ("good", "held"), "add": ("good",), "sub": ("good",)},
+    failing=_FAILING | {"add": ("good",), "sub": ("good",)},
 )
 
 
@@ -118,7 +119,7 @@ class _Form:
 
     def __init__(self, function, force_set, shape, arithmetic):
         self.function, self.force_set, self.shape, self.arithmetic = function, force_set, shape, arithmetic
-        self.plan = schedule(function, force_set)
+        self.plan = lane_schedule(function, force_set)
         self.arguments = function.arguments(force_set)
         self.arrays = [a for a in self.arguments if shape == ARRAYS or a.name in function.positional]
         self.values = [a for a in self.arguments if a not in self.arrays]
@@ -152,19 +153,20 @@ class _Form:
         for a in (a for a in arguments if a.symbol in self.plan.loads):
             taken = self.arithmetic.rate if is_rate(a) else self.arithmetic.taken
             number = taken.format(f"gs_select({mask}, {a.name}_here, one)")
-            lines.append(f"const {self.arithmetic.number} {a.symbol} = {number};")
+            lines.append(f"const {self.arithmetic.number} {told_name(self.function, a.symbol)} = {number};")
         turned = self.turned and any(a.name == "theta" for a in arguments)
         return lines + ["const gs_v theta_used = gs_select(good, theta_here, one);"] * turned
 
     def hoisted(self):
         """The operations, divided; an angle is that of the lanes that are served."""
         steps = [(name, ("angle", "theta_used") if node[0] == "angle" else node) for name, node in self.plan.steps]
-        varying = {a.symbol for a in self.arrays if a.symbol in self.plan.loads} | {"theta_used"}
+        loaded = [a.symbol for a in self.arrays if a.symbol in self.plan.loads]
+        varying = {told_name(self.function, symbol) for symbol in loaded} | {"theta_used"}
         return hoisted(steps, self.plan.results, varying)
 
     def assignments(self, steps, good):
         """Lines that give nodes their names."""
-        kinds = {"angle": self.arithmetic.turn}
+        kinds = self.arithmetic.types
         return [
             f"const {kinds.get(node[0], self.arithmetic.number)} {name} = {_call_text(node, self.arithmetic, good)};"
             for name, node in steps
@@ -178,13 +180,19 @@ class _Form:
             results = [f"gs_select(held, {rest}, {r})" for rest, r in zip(rests, results, strict=True)]
         return [f"gs_v {name}_here = {r};" for name, r in zip(self.outputs, results, strict=True)]
 
+    def _widened(self, lanes):
+        """The arguments of a lane in double; the float next to a largest value counts as that."""
+        ceiling = self.function.ceiling
+        for a, lane in zip(self.arguments, lanes, strict=True):
+            if self.arithmetic is SINGLE and ceiling and ceiling.argument == a.name:
+                yield f"{widened_name(self.function, self.force_set)}({', '.join(lanes)})"
+            else:
+                yield self.arithmetic.widened.get(a.domain, "{}").format(lane)
+
     def handed_on(self):
         """Lines that compute the lanes that are not served by the scaled form."""
-        arguments = []
-        for a in self.arguments:
-            lane = f"{a.name}_in" + "[j]" * (a in self.arrays)
-            arguments.append(self.arithmetic.widened.get(a.domain, "{}").format(lane))
-        call = f"{scaled_name(self.function, self.force_set)}({', '.join(arguments)}"
+        lanes = [f"{a.name}_in" + "[j]" * (a in self.arrays) for a in self.arguments]
+        call = f"{scaled_name(self.function, self.force_set)}({', '.join(self._widened(lanes))}"
         single = f"{self.outputs[0]}_each[j] = {call});"
         several = f"{call}, {', '.join(f'{name}_each + j' for name in self.outputs)});"
         return [
