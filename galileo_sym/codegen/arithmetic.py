@@ -4,23 +4,25 @@ from dataclasses import dataclass
 
 from galileo_sym.codegen.hoisting import operands_of
 
+_FAILING = {"driving": ("good", "held")} | dict.fromkeys(("below", "arctangent", "shot", "launch"), ("good",))
+
 
 @dataclass(frozen=True)
 class Arithmetic:
     """How a form computes: C types, what its operations begin with, and which of them may fail in a lane.
 
-    ``kind`` is the type of arguments and results; ``number`` and ``turn`` the types of values and angles. ``load``,
-    ``store``, ``padded`` name what moves vectors; ``taken`` makes a vector of a lane's argument, ``rate`` of one that
-    is a rate, ``pair`` a number of such a vector, ``value`` a lane's result of a number; ``widened`` makes a double of
-    an argument for the scaled form. ``ordinary`` tests arguments by domain; ``failing`` gives the masks that an
-    operation changes; ``of_kinds`` names the operation in which operands are plain, that is vectors of doubles, where
-    numbers are pairs.
+    ``kind`` is the type of arguments and results; ``number`` the type of values, ``types`` those of what certain nodes
+    give. ``load``, ``store``, ``padded`` name what moves vectors; ``taken`` makes a vector of a lane's argument,
+    ``rate`` of one that is a rate, ``pair`` a number of such a vector, ``value`` a lane's result of a number;
+    ``widened`` makes a double of an argument for the scaled form. ``ordinary`` tests arguments by domain; ``failing``
+    gives the masks that an operation changes; ``of_kinds`` names the operation in which operands are plain, that is
+    vectors of doubles, where numbers are pairs.
     """
 
     kind: str
     prefix: str
     number: str
-    turn: str
+    types: dict
     load: str
     store: str
     padded: str
@@ -38,7 +40,7 @@ DOUBLE = Arithmetic(
     kind="double",
     prefix="gs_vp_",
     number="gs_vp",
-    turn="gs_turn",
+    types={"angle": "gs_turn", "shot": "gs_vp_best", "launch": "gs_vp_angles"},
     load="gs_v_load",
     store="gs_v_store",
     padded="gs_padded",
@@ -55,7 +57,7 @@ DOUBLE = Arithmetic(
         "elevation": "gs_between_or_0({}, 0x1p-100, GS_HALF_TURN_0)",
         "chord angle, idle": "gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs({}))",
     },
-    failing={"driving": ("good", "held"), "phi0m": ("good",)},
+    failing=_FAILING | {"phi0m": ("good",)},
     of_kinds={
         ("mul", True, True): "product",
         ("mul", False, True): "times",
@@ -68,7 +70,7 @@ SINGLE = Arithmetic(
     kind="float",
     prefix="gs_s_",
     number="gs_v",
-    turn="gs_turn_single",
+    types={"angle": "gs_turn_single", "shot": "gs_best", "launch": "gs_s_angles"},
     load="gs_v_widen",
     store="gs_v_narrow",
     padded="gs_padded_single",
@@ -85,7 +87,7 @@ SINGLE = Arithmetic(
         "elevation": "gs_between({}, 0.0, GS_HALF_TURN_SINGLE)",
         "chord angle, idle": "gs_between(gs_abs({}), 0.0, GS_HALF_TURN_SINGLE)",
     },
-    failing={"driving": ("good", "held"), "add": ("good",), "sub": ("good",)},
+    failing=_FAILING | {"add": ("good",), "sub": ("good",)},
     of_kinds={},
 )
 

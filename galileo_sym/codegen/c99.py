@@ -22,6 +22,7 @@ from galileo_sym.codegen.signatures import (
     scalar_signature,
     scaled_name,
     variants,
+    widened_signature,
 )
 from galileo_sym.solvers import SOLVERS
 
@@ -204,7 +205,7 @@ def kernel(function, force_set):
         lines += [f"    *{o.name}_out = {r};" for o, r in zip(function.outputs, results, strict=True)]
     text = "\n".join(lines) + "\n}\n"
     if function.ceiling:
-        text = f"{_most(function, force_set)}\n{text}"
+        text = f"{_most(function, force_set)}\n{_widened(function, force_set)}\n{text}"
     if plan.balance:
         unknown = SOLVERS[function.full_name, force_set].unknown
         return _balance(balance_name(function, force_set), plan.balance, unknown) + text
@@ -220,21 +221,18 @@ def _forward(function):
     return f"{signature}\n{{\n    {'return ' if is_single(function) else ''}{call}\n}}\n"
 
 
-def _widened(function, suffix, argument):
-    """An argument in double; the float next to the largest value counts as the largest."""
-    ceiling = function.ceiling
-    if ceiling is None or ceiling.argument != argument.name:
-        return f"(double){argument.name}"
-    force_set = suffix or fullest(function)
+def _widened(function, force_set):
+    """Definition of what makes a double of the float that has a largest value."""
     others = ", ".join(_others(function, force_set))
     single, double = (f"{_most_name(function, force_set, kind)}({others})" for kind in ("float", "double"))
-    return f"gs_widen_to({argument.name}, {single}, {double})"
+    call = f"gs_widen_to({function.ceiling.argument}, {single}, {double})"
+    return f"{widened_signature(function, force_set)}\n{{\n    return {call};\n}}\n"
 
 
 def _narrow(function, suffix, force_set):
     """Definition of the binary32 function: computed in double, rounded once."""
     arguments = function.arguments(force_set)
-    passed = ", ".join(_widened(function, suffix, a) for a in arguments)
+    passed = ", ".join(f"(double){a.name}" for a in arguments)
     signature = _scalar_signature(function, suffix, force_set, "float")
     if is_single(function):
         return f"{signature}\n{{\n    return (float){name_of(function, suffix)}({passed});\n}}\n"

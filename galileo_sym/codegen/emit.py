@@ -156,6 +156,8 @@ def _sources():
     )
     quick = singles.singles_header(_template("c/galileo_singles.h"))
     files["c/galileo_singles.h"] = _c("templates/c/galileo_singles.h", quick)
+    launch = _template("c/galileo_launch.h").replace("@SERIES@\n", lanes.launch_series())
+    files["c/galileo_launch.h"] = _c("templates/c/galileo_launch.h", launch)
     files["c/galileo_scaled.h"] = _c("the catalogue", lanes.scaled_header())
     files["c/galileo_forms.h"] = _c("the stable forms of both papers", lanes.forms_header())
     for name, text in kernels.target_sources(_template("c/target.c"), "c").items():

@@ -5,12 +5,12 @@ is emitted twice: with an array for every argument, and with one value for each 
 those alone is computed once. It goes over blocks of vectors, in one loop for each stage.
 """
 
-from galileo_sym.codegen.arithmetic import call_text, is_rate, size_of
+from galileo_sym.codegen.arithmetic import SINGLE, call_text, is_rate, size_of
 from galileo_sym.codegen.hoisting import hoisted
+from galileo_sym.codegen.lane_steps import lane_schedule, told_name
 from galileo_sym.codegen.printing import counts_text, sources_text
-from galileo_sym.codegen.schedule import schedule
-from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name
-from galileo_sym.codegen.stages import divided, names_in
+from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name, widened_name
+from galileo_sym.codegen.stages import divided, names_in, operations_in
 
 _ALONE = {"sine": "sine_of", "cosine": "cosine_of"}
 _AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
@@ -31,7 +31,7 @@ class _Form:
 
     def __init__(self, function, force_set, shape, arithmetic):
         self.function, self.force_set, self.shape, self.arithmetic = function, force_set, shape, arithmetic
-        self.plan = schedule(function, force_set)
+        self.plan = lane_schedule(function, force_set)
         self.arguments = function.arguments(force_set)
         self.arrays = [a for a in self.arguments if shape == ARRAYS or a.name in function.positional]
         self.values = [a for a in self.arguments if a not in self.arrays]
@@ -68,10 +68,14 @@ class _Form:
     def loads(self, arguments, mask, names):
         """Lines that take those arguments that are named as numbers: 1 in lanes that are not served."""
         lines = []
-        for a in (a for a in arguments if a.symbol in names):
+        for a in (a for a in arguments if self.told(a) in names):
             taken = self.arithmetic.rate if is_rate(a) else self.arithmetic.taken
-            lines.append(f"const gs_v {a.symbol} = {taken.format(f'gs_select({mask}, {a.name}_here, one)')};")
+            lines.append(f"const gs_v {self.told(a)} = {taken.format(f'gs_select({mask}, {a.name}_here, one)')};")
         return lines + ["const gs_v theta_used = gs_select(good, theta_here, one);"] * ("theta_used" in names)
+
+    def told(self, argument):
+        """The name of an argument as it is taken."""
+        return told_name(self.function, argument.symbol)
 
     def hoisted(self):
         """The operations, divided; an angle is that of the lanes that are served."""
@@ -79,19 +83,19 @@ class _Form:
             (name, ("angle", "theta_used") if node[0] == "angle" else node)
             for name, node in _of_one_angle(self.plan.steps)
         ]
-        varying = {a.symbol for a in self.arrays if a.symbol in self.plan.loads} | {"theta_used"}
+        varying = {self.told(a) for a in self.arrays if a.symbol in self.plan.loads} | {"theta_used"}
         return hoisted(steps, self.plan.results, varying)
 
     def assignments(self, steps, good):
         """Lines that give nodes their names."""
-        kinds = {"angle": self.arithmetic.turn}
+        kinds = self.arithmetic.types
         return [
             f"const {kinds.get(node[0], self.arithmetic.number)} {name} = {self._text(node, good)};"
             for name, node in steps
         ]
 
     def _text(self, node, good):
-        plain = {a.symbol for a in self.arguments} if self.arithmetic.of_kinds else ()
+        plain = {self.told(a) for a in self.arguments} if self.arithmetic.of_kinds else ()
         return call_text(node, self.arithmetic, good, plain)
 
     def _result(self, node):
@@ -108,13 +112,19 @@ class _Form:
             results = [f"gs_select(held, {rest}, {r})" for rest, r in zip(rests, results, strict=True)]
         return [f"gs_v {name}_here = {r};" for name, r in zip(self.outputs, results, strict=True)]
 
+    def _widened(self, lanes):
+        """The arguments of a lane in double; the float next to a largest value counts as that."""
+        ceiling = self.function.ceiling
+        for a, lane in zip(self.arguments, lanes, strict=True):
+            if self.arithmetic is SINGLE and ceiling and ceiling.argument == a.name:
+                yield f"{widened_name(self.function, self.force_set)}({', '.join(lanes)})"
+            else:
+                yield self.arithmetic.widened.get(a.domain, "{}").format(lane)
+
     def handed_on(self):
         """Lines that compute the lanes that are not served by the scaled form."""
-        arguments = []
-        for a in self.arguments:
-            lane = f"{a.name}_in" + "[at + j]" * (a in self.arrays)
-            arguments.append(self.arithmetic.widened.get(a.domain, "{}").format(lane))
-        call = f"{scaled_name(self.function, self.force_set)}({', '.join(arguments)}"
+        lanes = [f"{a.name}_in" + "[at + j]" * (a in self.arrays) for a in self.arguments]
+        call = f"{scaled_name(self.function, self.force_set)}({', '.join(self._widened(lanes))}"
         single = f"{self.outputs[0]}_each[j] = {call});"
         several = f"{call}, {', '.join(f'{name}_each + j' for name in self.outputs)});"
         return [
@@ -140,8 +150,8 @@ class _Form:
 
     def resumed(self, stage, names, last):
         """The same of a later loop: what the others have left, and the arguments that it needs."""
-        needed = [a for a in self.arrays if a.symbol in names]
-        kept = self.kept if last else ["good"] if needed else []
+        needed = [a for a in self.arrays if self.told(a) in names]
+        kept = self.kept if last else ["good"] if needed or self.may_fail(stage) else []
         return [
             *["const size_t at = i * GS_LANES;"] * (last or bool(needed)),
             *(f"{'gs_mask' if mask == 'good' else 'const gs_mask'} {mask} = {mask}_kept[i];" for mask in kept),
@@ -159,11 +169,15 @@ class _Form:
             *(f"{store}({name}_out + at, {name}_here);" for name in self.outputs),
         ]
 
+    def may_fail(self, stage):
+        """Whether lanes may turn out not to be served."""
+        return not operations_in(*(node for _, node in stage.steps)).isdisjoint(self.arithmetic.failing)
+
     def loop(self, stages, place, results, known):
         """One loop over the vectors of a block."""
         stage, first, last = stages[place], place == 0, place == len(stages) - 1
         names = names_in(*(node for _, node in stage.steps), *(results if last else ()))
-        left = [*(self.kept if first else []), *stage.left]
+        left = [*(self.kept if first else ["good"] if self.may_fail(stage) else []), *stage.left]
         return [
             "for (size_t i = 0; i < block; i++) {",
             *_indented(1, self.begun(names, known) if first else self.resumed(stage, names, last)),
@@ -229,7 +243,7 @@ def definition(function, force_set, shape, arithmetic):
     parts = form.hoisted()
     stages, results = divided(parts.each, parts.results)
     known = ["known"] if form.values else []
-    everywhere = {a.symbol for a in form.values if a.symbol in form.plan.loads}
+    everywhere = {form.told(a) for a in form.values if a.symbol in form.plan.loads}
     lines = [
         *form.head(),
         "{",

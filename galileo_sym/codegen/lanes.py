@@ -17,15 +17,17 @@ from galileo_sym.codegen.signatures import (
     parameters,
     scalar_signature,
     scaled_name,
+    widened_signature,
 )
-from galileo_sym.primitives.tables import TURN_COUNT, TURN_STEP, constants, turn_rows
+from galileo_sym.primitives.tables import TURN_COUNT, TURN_STEP, constants, pair_rows, turn_rows
 
 ARITHMETICS = (DOUBLE, SINGLE)
+_LAUNCH_TERMS, _LAUNCH_PAIRS = 18, 4  # 2**-64 of the sum, for s below 3/4
 
 
 def in_lanes(function):
-    """Whether a function has forms on vectors: not one that solves, has cases, or is a primitive."""
-    return not (function.routine or function.primitive or function.ceiling)
+    """Whether a function has forms on vectors: not one that has cases, or is a primitive."""
+    return not (function.routine or function.primitive)
 
 
 def forms():
@@ -61,6 +63,16 @@ def turn_tables():
     )
 
 
+def launch_series():
+    """Return the coefficients of phi2 at -s, the first as pairs, and their numbers."""
+    rows = pair_rows("decay_series", _LAUNCH_TERMS)
+    text = ",\n".join(f"    {{{hi.hex()}, {lo.hex()}}}" for hi, lo in rows)
+    return (
+        f"#define GS_LAUNCH_TERMS {_LAUNCH_TERMS}\n#define GS_LAUNCH_PAIRS {_LAUNCH_PAIRS}\n"
+        f"static const double gs_launch_series[GS_LAUNCH_TERMS][2] = {{\n{text},\n}};\n"
+    )
+
+
 def scaled_header():
     """Return the C header of the scaled forms."""
     out = [
@@ -68,6 +80,8 @@ def scaled_header():
         "/* The formulas on scaled pairs: for single numbers of any size, where the forms on vectors do not serve. */\n"
     ]
     out += [f"{scalar_signature(f, s, 'double', scaled_name(f, s))};\n" for f, s in forms()]
+    out.append("/* An argument that has a largest value: the float next to that counts as it. */\n")
+    out += [f"{widened_signature(f, s)};\n" for f, s in forms() if f.ceiling]
     return "".join([*out, "\n#endif\n"])
 
 
@@ -76,7 +90,7 @@ def forms_header():
     definitions = "\n".join(definition(f, s, shape, arithmetic) for f, s in forms() for shape, arithmetic in _every(f))
     return (
         "#ifndef GALILEO_FORMS_H\n#define GALILEO_FORMS_H\n\n"
-        '#include "galileo_loops.h"\n#include "galileo_scaled.h"\n#include "galileo_single.h"\n\n'
+        '#include "galileo_loops.h"\n#include "galileo_launch.h"\n#include "galileo_scaled.h"\n\n'
         f"{definitions}\n#endif\n"
     )
 

@@ -3,8 +3,7 @@
 import re
 
 from galileo_sym.catalogue import FUNCTIONS
-from galileo_sym.codegen.lanes import in_lanes
-from galileo_sym.codegen.numpy_forms import docstring, form, kernel_name, scaled_module_name
+from galileo_sym.codegen.numpy_forms import docstring, form, kernel_name, on_pairs, scaled_module_name
 from galileo_sym.codegen.printing import PRIMITIVE_TEXT, ROUTINE_TEXT, call_text, counts_text, undecided_text
 from galileo_sym.codegen.schedule import TABLE_CALLS, balance_name, schedule
 from galileo_sym.solvers import SOLVERS
@@ -224,7 +223,7 @@ def _public_kernel(function, force_set):
         return _routine_kernel(function, force_set)
     if function.primitive:
         return _primitive_kernel(function, force_set)
-    if in_lanes(function):
+    if on_pairs(function):
         return form(function, force_set)
     evaluate = f"{scaled_module_name(function.paper)}.{kernel_name(function, force_set)}"
     return _chunked(function, force_set, f"Operations: {counts_text(schedule(function, force_set))}.", evaluate)

@@ -4,14 +4,19 @@ As in C each form is emitted twice: with an array for every argument, and with o
 where what depends on those alone is computed once.
 """
 
+from galileo_sym.codegen import lanes
 from galileo_sym.codegen.arithmetic import is_rate, size_of
 from galileo_sym.codegen.hoisting import hoisted
-from galileo_sym.codegen.lanes import takes_values
 from galileo_sym.codegen.printing import call_text, counts_text, sources_text
 from galileo_sym.codegen.schedule import schedule
 
 _WITH_LANES = ("driving", "phi0m", "range_balance")  # not good, or at rest, in some lanes
 _SCALED_MODULE = "_scaled_{}"
+
+
+def on_pairs(function):
+    """Whether a function is computed on plain pairs here: of those on vectors in C, not one that solves."""
+    return lanes.in_lanes(function) and not function.ceiling
 
 
 def kernel_name(function, force_set):
@@ -118,7 +123,7 @@ def form(function, force_set):
     names = "".join(f"{a.name}, " for a in arguments).rstrip()
     if len(arguments) > 1:
         sizes, names = sizes.rstrip(","), names.rstrip(",")
-    by_values = takes_values(function)
+    by_values = lanes.takes_values(function)
     text = [
         *_of_arrays(function, force_set, arrays),
         *(_of_values(function, force_set, values) if by_values else []),

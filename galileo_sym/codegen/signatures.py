@@ -23,6 +23,11 @@ def scaled_name(function, force_set):
     return name_of(function, force_set).replace("gs_", "gs_scaled_", 1)
 
 
+def widened_name(function, force_set):
+    """Return the C name of what makes a double of the float that has a largest value."""
+    return name_of(function, force_set).replace("gs_", "gs_widened_", 1)
+
+
 def is_single(function):
     """Whether there is one output, which C functions of single numbers return."""
     return len(function.outputs) == 1
@@ -60,6 +65,12 @@ def array_signature(function, force_set, shape, kind, public=None, version=""):
     given = ", ".join("".join(pair) for pair in parameters(function, force_set, shape, kind))
     name = name_of(function, force_set if public is None else public)
     return f"void {name}_{shape}{letter(kind)}{version}({given})"
+
+
+def widened_signature(function, force_set):
+    """Return the C signature of what `widened_name` names."""
+    given = ", ".join(f"float {a.name}" for a in function.arguments(force_set))
+    return f"double {widened_name(function, force_set)}({given})"
 
 
 def scalar_signature(function, force_set, kind, name, of_argument="{}", of_output="{}"):

@@ -13,7 +13,7 @@ from galileo_sym.codegen.hoisting import operands_of
 
 _OF_ANGLES = {"angle", "sine", "cosine", "sine_of", "cosine_of", "driving"}
 _SLOW = {"div", "sqrt"}
-_LATE = {"phi0m"}  # a primitive whose lanes may fail
+_LATE = {"phi0m", "below", "arctangent", "shot", "launch"}  # lanes may fail, or what is made is no number
 
 
 @dataclass
@@ -34,8 +34,9 @@ def names_in(*nodes):
     return {n for node in nodes for n in ([node] if isinstance(node, str) else names_in(*operands_of(node)))}
 
 
-def _operations(node):
-    return set() if isinstance(node, str) else {node[0]}.union(*map(_operations, operands_of(node)))
+def operations_in(*nodes):
+    """The operations in nodes."""
+    return {n for node in nodes if not isinstance(node, str) for n in (node[0], *operations_in(*operands_of(node)))}
 
 
 class _Caller:
@@ -90,7 +91,7 @@ def divided(steps, results):
     early = _early(steps, {argument for _, _, argument in calls})
     loops, waiting, slow, late = ([], [], []), set(), set(), {name for name, _, _ in calls}
     for name, node in steps:
-        operations, names = _operations(node), names_in(node)
+        operations, names = operations_in(node), names_in(node)
         if name not in early and (names & late or operations & _LATE):
             place = 2
         elif names & slow or (names & waiting and operations & _SLOW):

@@ -122,7 +122,6 @@ _TABLE = (
             ("low", "high"),
             "ulp of the exact result, or 2^-40 of what an ulp of the range does to it where that is more",
         ),
-        fused=False,
     ),
     Function("projectile", "best_angle", ("alpha",), (), ONE_LAW, ("angle",)),
     *(

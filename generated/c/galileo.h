@@ -533,16 +533,22 @@ void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const 
  */
 void gs_projectile_launch_angles_free(double r, double v, double g, double *low, double *high);
 void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double *v, const double *g, double *low, double *high);
+void gs_projectile_launch_angles_free_nu(size_t n, const double *r, double v, double g, double *low, double *high);
 void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high);
 void gs_projectile_launch_angles_free_nf(size_t n, const float *r, const float *v, const float *g, float *low, float *high);
+void gs_projectile_launch_angles_free_nuf(size_t n, const float *r, float v, float g, float *low, float *high);
 void gs_projectile_launch_angles_drag(double r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_angles_drag_nu(size_t n, const double *r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high);
 void gs_projectile_launch_angles_drag_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+void gs_projectile_launch_angles_drag_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high);
 void gs_projectile_launch_angles(double r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_angles_nu(size_t n, const double *r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high);
 void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+void gs_projectile_launch_angles_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high);
 
 /* Elevation of greatest range, for a given ratio of resistance to weight.
  *

@@ -3,8 +3,8 @@
 #define GALILEO_FORMS_H
 
 #include "galileo_loops.h"
+#include "galileo_launch.h"
 #include "galileo_scaled.h"
-#include "galileo_single.h"
 
 /* stable.chord.descent_time.free, the stable form of chord.eq4.
  * Operations: 1 div, 1 sqrt. */
@@ -8287,6 +8287,482 @@ void GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(size_t count, const flo
         float pad[4][GS_LANES];
         GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], v_in, rest), gs_padded_single(pad[1], g_in, rest), gs_padded_single(pad[2], k_in, rest), pad[3]);
         memcpy(range_out, pad[3], rest * sizeof *range_out);
+    }
+}
+
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 4 div, 5 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_projectile_launch_angles_free_n, GS_SUFFIX)(size_t count, const double *r_in, const double *v_in, const double *g_in, double *low_out, double *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_vp once1 = gs_vp_right_angle();
+    gs_mask good_kept[GS_GROUP];
+    gs_vp most_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_load(r_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(r_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp most = gs_vp_over(gs_vp_product(v, v), g);
+            good_kept[i] = good;
+            most_kept[i] = most;
+        }
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v r_here = gs_v_load(r_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp most = most_kept[i];
+            const gs_vp r = gs_vp_below(gs_vp_load(r_told), most, &good);
+            const gs_vp rho = gs_vp_div(gs_vp_times(r, g), gs_vp_product(v, v));
+            const gs_vp turn = gs_vp_arctangent(gs_vp_div(rho, gs_vp_add(gs_vp_constant(1.0), gs_vp_sqrt(gs_vp_mul(gs_vp_sub(gs_vp_constant(1.0), rho), gs_vp_add(gs_vp_constant(1.0), rho))))), &good);
+            gs_v low_here = gs_vp_value(turn);
+            gs_v high_here = gs_vp_value(gs_vp_sub(once1, turn));
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_free(r_in[at + j], v_in[at + j], g_in[at + j], low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_store(low_out + at, low_here);
+            gs_v_store(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], r_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3], pad[4]);
+        memcpy(low_out, pad[3], rest * sizeof *low_out);
+        memcpy(high_out, pad[4], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 4 div, 5 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_projectile_launch_angles_free_nf, GS_SUFFIX)(size_t count, const float *r_in, const float *v_in, const float *g_in, float *low_out, float *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v once1 = gs_s_right_angle();
+    gs_mask good_kept[GS_GROUP];
+    gs_v most_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_widen(r_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(r_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v most = gs_s_div(gs_s_mul(v, v), g);
+            good_kept[i] = good;
+            most_kept[i] = most;
+        }
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v r_here = gs_v_widen(r_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v most = most_kept[i];
+            const gs_v r = gs_s_below(r_told, most, &good);
+            const gs_v rho = gs_s_div(gs_s_mul(r, g), gs_s_mul(v, v));
+            const gs_v turn = gs_s_arctangent(gs_s_div(rho, gs_s_add(gs_s_constant(1.0), gs_s_sqrt(gs_s_mul(gs_s_sub(gs_s_constant(1.0), rho, &good), gs_s_add(gs_s_constant(1.0), rho, &good))), &good)), &good);
+            gs_v low_here = turn;
+            gs_v high_here = gs_s_sub(once1, turn, &good);
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_free(gs_widened_projectile_launch_angles_free(r_in[at + j], v_in[at + j], g_in[at + j]), v_in[at + j], g_in[at + j], low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_narrow(low_out + at, low_here);
+            gs_v_narrow(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3], pad[4]);
+        memcpy(low_out, pad[3], rest * sizeof *low_out);
+        memcpy(high_out, pad[4], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 4 div, 5 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_projectile_launch_angles_free_nu, GS_SUFFIX)(size_t count, const double *r_in, double v_in, double g_in, double *low_out, double *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp most = gs_vp_over(gs_vp_product(v, v), g);
+    const gs_vp once1 = gs_vp_product(v, v);
+    const gs_vp once2 = gs_vp_right_angle();
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_load(r_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(r_here, 0x1p-100, 0x1p+100));
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_vp r = gs_vp_below(gs_vp_load(r_told), most, &good);
+            const gs_vp rho = gs_vp_div(gs_vp_times(r, g), once1);
+            const gs_vp turn = gs_vp_arctangent(gs_vp_div(rho, gs_vp_add(gs_vp_constant(1.0), gs_vp_sqrt(gs_vp_mul(gs_vp_sub(gs_vp_constant(1.0), rho), gs_vp_add(gs_vp_constant(1.0), rho))))), &good);
+            gs_v low_here = gs_vp_value(turn);
+            gs_v high_here = gs_vp_value(gs_vp_sub(once2, turn));
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_free(r_in[at + j], v_in, g_in, low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_store(low_out + at, low_here);
+            gs_v_store(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], r_in, rest), v_in, g_in, pad[1], pad[2]);
+        memcpy(low_out, pad[1], rest * sizeof *low_out);
+        memcpy(high_out, pad[2], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 4 div, 5 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_projectile_launch_angles_free_nuf, GS_SUFFIX)(size_t count, const float *r_in, float v_in, float g_in, float *low_out, float *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v most = gs_s_div(gs_s_mul(v, v), g);
+    const gs_v once1 = gs_s_mul(v, v);
+    const gs_v once2 = gs_s_right_angle();
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_widen(r_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(r_here, 0.0, 0x1p+128));
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v r = gs_s_below(r_told, most, &good);
+            const gs_v rho = gs_s_div(gs_s_mul(r, g), once1);
+            const gs_v turn = gs_s_arctangent(gs_s_div(rho, gs_s_add(gs_s_constant(1.0), gs_s_sqrt(gs_s_mul(gs_s_sub(gs_s_constant(1.0), rho, &good), gs_s_add(gs_s_constant(1.0), rho, &good))), &good)), &good);
+            gs_v low_here = turn;
+            gs_v high_here = gs_s_sub(once2, turn, &good);
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_free(gs_widened_projectile_launch_angles_free(r_in[at + j], v_in, g_in), v_in, g_in, low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_narrow(low_out + at, low_here);
+            gs_v_narrow(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), v_in, g_in, pad[1], pad[2]);
+        memcpy(low_out, pad[1], rest * sizeof *low_out);
+        memcpy(high_out, pad[2], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 4 div, 7 mul, 1 solver, 3 table. */
+void GS_JOIN(gs_projectile_launch_angles_drag_n, GS_SUFFIX)(size_t count, const double *r_in, const double *v_in, const double *g_in, const double *k_in, double *low_out, double *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp alpha_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_load(r_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(r_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp alpha = gs_vp_over(gs_vp_product(k, v), g);
+            good_kept[i] = good;
+            alpha_kept[i] = alpha;
+        }
+        gs_vp_max_range_factor_each(block, alpha_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v r_here = gs_v_load(r_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp alpha = alpha_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp most = gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), factor1);
+            const gs_vp r = gs_vp_below(gs_vp_load(r_told), most, &good);
+            const gs_vp rho = gs_vp_div(gs_vp_times(r, g), gs_vp_product(v, v));
+            const gs_vp_best shot = gs_vp_shot(alpha, &good);
+            const gs_vp_angles angles = gs_vp_launch(rho, shot, &good);
+            gs_v low_here = gs_vp_value(angles.low);
+            gs_v high_here = gs_vp_value(angles.high);
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_drag(r_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j], low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_store(low_out + at, low_here);
+            gs_v_store(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], r_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4], pad[5]);
+        memcpy(low_out, pad[4], rest * sizeof *low_out);
+        memcpy(high_out, pad[5], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 4 div, 7 mul, 1 solver, 3 table. */
+void GS_JOIN(gs_projectile_launch_angles_drag_nf, GS_SUFFIX)(size_t count, const float *r_in, const float *v_in, const float *g_in, const float *k_in, float *low_out, float *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    gs_mask good_kept[GS_GROUP];
+    gs_v alpha_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_widen(r_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(r_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
+            good_kept[i] = good;
+            alpha_kept[i] = alpha;
+        }
+        gs_s_max_range_factor_each(block, alpha_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v r_here = gs_v_widen(r_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v alpha = alpha_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v most = gs_s_mul(gs_s_div(gs_s_mul(v, v), g), factor1);
+            const gs_v r = gs_s_below(r_told, most, &good);
+            const gs_v rho = gs_s_div(gs_s_mul(r, g), gs_s_mul(v, v));
+            const gs_best shot = gs_s_shot(alpha, &good);
+            const gs_s_angles angles = gs_s_launch(rho, shot, &good);
+            gs_v low_here = angles.low;
+            gs_v high_here = angles.high;
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_drag(gs_widened_projectile_launch_angles_drag(r_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j], low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_narrow(low_out + at, low_here);
+            gs_v_narrow(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4], pad[5]);
+        memcpy(low_out, pad[4], rest * sizeof *low_out);
+        memcpy(high_out, pad[5], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 4 div, 7 mul, 1 solver, 3 table. */
+void GS_JOIN(gs_projectile_launch_angles_drag_nu, GS_SUFFIX)(size_t count, const double *r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp alpha = gs_vp_over(gs_vp_product(k, v), g);
+    const gs_vp most = gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), gs_vp_max_range_factor(alpha));
+    const gs_vp once1 = gs_vp_product(v, v);
+    const gs_vp_best shot = gs_vp_shot(alpha, &known);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_load(r_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(r_here, 0x1p-100, 0x1p+100));
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_vp r = gs_vp_below(gs_vp_load(r_told), most, &good);
+            const gs_vp rho = gs_vp_div(gs_vp_times(r, g), once1);
+            const gs_vp_angles angles = gs_vp_launch(rho, shot, &good);
+            gs_v low_here = gs_vp_value(angles.low);
+            gs_v high_here = gs_vp_value(angles.high);
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_drag(r_in[at + j], v_in, g_in, k_in, low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_store(low_out + at, low_here);
+            gs_v_store(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], r_in, rest), v_in, g_in, k_in, pad[1], pad[2]);
+        memcpy(low_out, pad[1], rest * sizeof *low_out);
+        memcpy(high_out, pad[2], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 4 div, 7 mul, 1 solver, 3 table. */
+void GS_JOIN(gs_projectile_launch_angles_drag_nuf, GS_SUFFIX)(size_t count, const float *r_in, float v_in, float g_in, float k_in, float *low_out, float *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
+    const gs_v most = gs_s_mul(gs_s_div(gs_s_mul(v, v), g), gs_s_max_range_factor(alpha));
+    const gs_v once1 = gs_s_mul(v, v);
+    const gs_best shot = gs_s_shot(alpha, &known);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_widen(r_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(r_here, 0.0, 0x1p+128));
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v r = gs_s_below(r_told, most, &good);
+            const gs_v rho = gs_s_div(gs_s_mul(r, g), once1);
+            const gs_s_angles angles = gs_s_launch(rho, shot, &good);
+            gs_v low_here = angles.low;
+            gs_v high_here = angles.high;
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_drag(gs_widened_projectile_launch_angles_drag(r_in[at + j], v_in, g_in, k_in), v_in, g_in, k_in, low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_narrow(low_out + at, low_here);
+            gs_v_narrow(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), v_in, g_in, k_in, pad[1], pad[2]);
+        memcpy(low_out, pad[1], rest * sizeof *low_out);
+        memcpy(high_out, pad[2], rest * sizeof *high_out);
     }
 }
 

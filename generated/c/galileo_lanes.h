@@ -887,6 +887,28 @@ static inline gs_vp gs_vp_driving(gs_turn a, gs_v mu, gs_mask *good, gs_mask *he
     return gs_vp_of(gs_select(moves, n.hi, one), gs_select(moves, n.lo, zero));
 }
 
+static inline gs_vp gs_vp_right_angle(void) { return gs_vp_of(gs_v_of(GS_HALF_TURN_0), gs_v_of(GS_HALF_TURN_1)); }
+
+/* Arctangent of x > 0. */
+static inline gs_vp gs_vp_arctangent(gs_vp x, gs_mask *good)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_mask here = gs_less(gs_v_of(0.0), x.hi);
+    const gs_vp some = {gs_select(here, x.hi, one), gs_select(here, x.lo, gs_v_of(0.0))};
+    *good = gs_both(*good, here);
+    return gs_vp_acot(gs_vp_div(gs_vp_constant(1.0), some));
+}
+
+/* What stays clear of a ceiling, beside which results go with the square root of the distance; half of that elsewhere. */
+#define GS_CLEAR 0x1.ffcp-1
+static inline gs_vp gs_vp_below(gs_vp x, gs_vp most, gs_mask *good)
+{
+    const gs_mask here = gs_both(*good, gs_less(x.hi, gs_mul(most.hi, gs_v_of(GS_CLEAR))));
+    const gs_vp r = {gs_select(here, x.hi, gs_mul(most.hi, gs_v_of(0.5))), gs_select(here, x.lo, gs_v_of(0.0))};
+    *good = here;
+    return r;
+}
+
 /* exp(-z), z below 512 */
 static inline gs_vp gs_vp_phi0m(gs_vp z, gs_mask *good)
 {

@@ -112,9 +112,6 @@ static inline gs_v gs_s_driving(gs_turn_single a, gs_v mu, gs_mask *good, gs_mas
     return gs_select(moves, n, gs_v_of(1.0));
 }
 
-/* exp(-z): beyond 600 any product with floats is 0 in binary32. */
-static inline gs_v gs_s_phi0m(gs_v z) { return gs_exp_minus_range0_lean(gs_min(z, gs_v_of(600.0))); }
-
 static inline gs_v gs_s_phi1m_served0(gs_mask here, gs_v x)
 {
     return gs_phi1m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
@@ -580,5 +577,23 @@ static inline gs_v gs_s_acot(gs_v x)
     gs_s_acot_each(1, &x, &value);
     return value;
 }
+
+static inline gs_v gs_s_right_angle(void) { return gs_v_of(GS_HALF_TURN_0); }
+
+static inline gs_v gs_s_arctangent(gs_v x, gs_mask *good)
+{
+    const gs_mask here = gs_less(gs_v_of(0.0), x);
+    *good = gs_both(*good, here);
+    return gs_s_acot(gs_div(gs_v_of(1.0), gs_select(here, x, gs_v_of(1.0))));
+}
+
+static inline gs_v gs_s_below(gs_v x, gs_v most, gs_mask *good)
+{
+    *good = gs_both(*good, gs_less(x, gs_mul(most, gs_v_of(GS_CLEAR))));
+    return gs_select(*good, x, gs_mul(most, gs_v_of(0.5)));
+}
+
+/* exp(-z): beyond 600 any product with floats is 0 in binary32. */
+static inline gs_v gs_s_phi0m(gs_v z) { return gs_exp_minus_range0_lean(gs_min(z, gs_v_of(600.0))); }
 
 #endif

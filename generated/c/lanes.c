@@ -142,6 +142,14 @@ void gs_projectile_max_range_free_n_avx512(size_t n, const double *v, const doub
 void gs_projectile_max_range_free_nf_avx512(size_t n, const float *v, const float *g, float *range);
 void gs_projectile_max_range_drag_n_avx512(size_t n, const double *v, const double *g, const double *k, double *range);
 void gs_projectile_max_range_drag_nf_avx512(size_t n, const float *v, const float *g, const float *k, float *range);
+void gs_projectile_launch_angles_free_n_avx512(size_t n, const double *r, const double *v, const double *g, double *low, double *high);
+void gs_projectile_launch_angles_free_nf_avx512(size_t n, const float *r, const float *v, const float *g, float *low, float *high);
+void gs_projectile_launch_angles_free_nu_avx512(size_t n, const double *r, double v, double g, double *low, double *high);
+void gs_projectile_launch_angles_free_nuf_avx512(size_t n, const float *r, float v, float g, float *low, float *high);
+void gs_projectile_launch_angles_drag_n_avx512(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_angles_drag_nf_avx512(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+void gs_projectile_launch_angles_drag_nu_avx512(size_t n, const double *r, double v, double g, double k, double *low, double *high);
+void gs_projectile_launch_angles_drag_nuf_avx512(size_t n, const float *r, float v, float g, float k, float *low, float *high);
 void gs_chord_descent_time_free_n_avx2(size_t n, const double *theta, const double *diameter, const double *g, double *time);
 void gs_chord_descent_time_free_nf_avx2(size_t n, const float *theta, const float *diameter, const float *g, float *time);
 void gs_chord_descent_time_free_nu_avx2(size_t n, const double *theta, double diameter, double g, double *time);
@@ -276,6 +284,14 @@ void gs_projectile_max_range_free_n_avx2(size_t n, const double *v, const double
 void gs_projectile_max_range_free_nf_avx2(size_t n, const float *v, const float *g, float *range);
 void gs_projectile_max_range_drag_n_avx2(size_t n, const double *v, const double *g, const double *k, double *range);
 void gs_projectile_max_range_drag_nf_avx2(size_t n, const float *v, const float *g, const float *k, float *range);
+void gs_projectile_launch_angles_free_n_avx2(size_t n, const double *r, const double *v, const double *g, double *low, double *high);
+void gs_projectile_launch_angles_free_nf_avx2(size_t n, const float *r, const float *v, const float *g, float *low, float *high);
+void gs_projectile_launch_angles_free_nu_avx2(size_t n, const double *r, double v, double g, double *low, double *high);
+void gs_projectile_launch_angles_free_nuf_avx2(size_t n, const float *r, float v, float g, float *low, float *high);
+void gs_projectile_launch_angles_drag_n_avx2(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_angles_drag_nf_avx2(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+void gs_projectile_launch_angles_drag_nu_avx2(size_t n, const double *r, double v, double g, double k, double *low, double *high);
+void gs_projectile_launch_angles_drag_nuf_avx2(size_t n, const float *r, float v, float g, float k, float *low, float *high);
 void gs_chord_descent_time_free_n_fma(size_t n, const double *theta, const double *diameter, const double *g, double *time);
 void gs_chord_descent_time_free_nf_fma(size_t n, const float *theta, const float *diameter, const float *g, float *time);
 void gs_chord_descent_time_free_nu_fma(size_t n, const double *theta, double diameter, double g, double *time);
@@ -410,6 +426,14 @@ void gs_projectile_max_range_free_n_fma(size_t n, const double *v, const double 
 void gs_projectile_max_range_free_nf_fma(size_t n, const float *v, const float *g, float *range);
 void gs_projectile_max_range_drag_n_fma(size_t n, const double *v, const double *g, const double *k, double *range);
 void gs_projectile_max_range_drag_nf_fma(size_t n, const float *v, const float *g, const float *k, float *range);
+void gs_projectile_launch_angles_free_n_fma(size_t n, const double *r, const double *v, const double *g, double *low, double *high);
+void gs_projectile_launch_angles_free_nf_fma(size_t n, const float *r, const float *v, const float *g, float *low, float *high);
+void gs_projectile_launch_angles_free_nu_fma(size_t n, const double *r, double v, double g, double *low, double *high);
+void gs_projectile_launch_angles_free_nuf_fma(size_t n, const float *r, float v, float g, float *low, float *high);
+void gs_projectile_launch_angles_drag_n_fma(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_angles_drag_nf_fma(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+void gs_projectile_launch_angles_drag_nu_fma(size_t n, const double *r, double v, double g, double k, double *low, double *high);
+void gs_projectile_launch_angles_drag_nuf_fma(size_t n, const float *r, float v, float g, float k, float *low, float *high);
 #endif
 
 double gs_chord_descent_time_free(double theta, double diameter, double g)
@@ -1904,4 +1928,94 @@ void gs_projectile_max_range_n(size_t n, const double *v, const double *g, const
 void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const float *k, float *range)
 {
     GS_CHOOSE(gs_projectile_max_range_drag_nf)(n, v, g, k, range);
+}
+
+void gs_projectile_launch_angles_free(double r, double v, double g, double *low, double *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_free_n)(1, &r, &v, &g, low, high);
+}
+
+void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_free_nf)(1, &r, &v, &g, low, high);
+}
+
+void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double *v, const double *g, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_free_n)(n, r, v, g, low, high);
+}
+
+void gs_projectile_launch_angles_free_nf(size_t n, const float *r, const float *v, const float *g, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_free_nf)(n, r, v, g, low, high);
+}
+
+void gs_projectile_launch_angles_free_nu(size_t n, const double *r, double v, double g, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_free_nu)(n, r, v, g, low, high);
+}
+
+void gs_projectile_launch_angles_free_nuf(size_t n, const float *r, float v, float g, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_free_nuf)(n, r, v, g, low, high);
+}
+
+void gs_projectile_launch_angles_drag(double r, double v, double g, double k, double *low, double *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_drag_n)(1, &r, &v, &g, &k, low, high);
+}
+
+void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_drag_nf)(1, &r, &v, &g, &k, low, high);
+}
+
+void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_n)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_drag_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nf)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_drag_nu(size_t n, const double *r, double v, double g, double k, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nu)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_drag_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nuf)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles(double r, double v, double g, double k, double *low, double *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_drag_n)(1, &r, &v, &g, &k, low, high);
+}
+
+void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_drag_nf)(1, &r, &v, &g, &k, low, high);
+}
+
+void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_n)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nf)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_nu(size_t n, const double *r, double v, double g, double k, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nu)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nuf)(n, r, v, g, k, low, high);
 }

@@ -287,9 +287,14 @@ static inline float gs_most_of_launch_angles_freef(float v, float g)
     return most;
 }
 
+double gs_widened_projectile_launch_angles_free(float r, float v, float g)
+{
+    return gs_widen_to(r, gs_most_of_launch_angles_freef(v, g), gs_most_of_launch_angles_free(v, g));
+}
+
 /* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
  * Operations: 4 add, 1 arctangent, 3 div, 4 mul, 1 sqrt, 1 table. */
-void gs_projectile_launch_angles_free(double r_in, double v_in, double g_in, double *low_out, double *high_out)
+void gs_scaled_projectile_launch_angles_free(double r_in, double v_in, double g_in, double *low_out, double *high_out)
 {
     if (isnan(r_in) || isnan(v_in) || isnan(g_in)) {
         *low_out = *high_out = NAN;
@@ -356,9 +361,14 @@ static inline float gs_most_of_launch_angles_dragf(float v, float g, float k)
     return most;
 }
 
+double gs_widened_projectile_launch_angles_drag(float r, float v, float g, float k)
+{
+    return gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k));
+}
+
 /* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
  * Operations: 3 div, 5 mul, 1 solver, 2 table. */
-void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
+void gs_scaled_projectile_launch_angles_drag(double r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
 {
     if (isnan(r_in) || isnan(v_in) || isnan(g_in) || isnan(k_in)) {
         *low_out = *high_out = NAN;
@@ -386,71 +396,6 @@ void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, dou
     const gs_angles angles = gs_launch(launch_angles_drag_balance, rho, alpha);
     *low_out = gs_settle(angles.low, (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
     *high_out = gs_settle(angles.high, (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-void gs_projectile_launch_angles(double r, double v, double g, double k, double *low, double *high)
-{
-    gs_projectile_launch_angles_drag(r, v, g, k, low, high);
-}
-
-void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double *v, const double *g, double *low, double *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles_free(r[i], v[i], g[i], low + i, high + i);
-}
-
-void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high)
-{
-    double low_wide, high_wide;
-    gs_projectile_launch_angles_free(gs_widen_to(r, gs_most_of_launch_angles_freef(v, g), gs_most_of_launch_angles_free(v, g)), (double)v, (double)g, &low_wide, &high_wide);
-    *low = (float)low_wide;
-    *high = (float)high_wide;
-}
-
-void gs_projectile_launch_angles_free_nf(size_t n, const float *r, const float *v, const float *g, float *low, float *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles_freef(r[i], v[i], g[i], low + i, high + i);
-}
-
-void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles_drag(r[i], v[i], g[i], k[i], low + i, high + i);
-}
-
-void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high)
-{
-    double low_wide, high_wide;
-    gs_projectile_launch_angles_drag(gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
-    *low = (float)low_wide;
-    *high = (float)high_wide;
-}
-
-void gs_projectile_launch_angles_drag_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles_dragf(r[i], v[i], g[i], k[i], low + i, high + i);
-}
-
-void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles(r[i], v[i], g[i], k[i], low + i, high + i);
-}
-
-void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high)
-{
-    double low_wide, high_wide;
-    gs_projectile_launch_angles(gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
-    *low = (float)low_wide;
-    *high = (float)high_wide;
-}
-
-void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_anglesf(r[i], v[i], g[i], k[i], low + i, high + i);
 }
 
 /* stable.projectile.best_angle, the stable form of projectile.thm3.

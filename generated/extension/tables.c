@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "86b7eed8624ada0a540e71c3ab58a6682eb0b4886571c3efe76388c69043c204";
+const char gs_sources[] = "69d653a02503459712134233ebcef8613d6bc80e16bd3a4996b5b069ac44bd92";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};
@@ -2121,6 +2121,10 @@ static void projectile_launch_angles_free_arrays_double(size_t n, const void *co
 {
     gs_projectile_launch_angles_free_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void projectile_launch_angles_free_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_launch_angles_free_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void projectile_launch_angles_free_numbers_double(const void *in, void *out)
 {
     gs_projectile_launch_angles_free(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -2129,16 +2133,20 @@ static void projectile_launch_angles_free_arrays_float(size_t n, const void *con
 {
     gs_projectile_launch_angles_free_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void projectile_launch_angles_free_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_launch_angles_free_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void projectile_launch_angles_free_numbers_float(const void *in, void *out)
 {
     gs_projectile_launch_angles_freef(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form projectile_launch_angles_free_form = {
-    3, 2, 3,
+    3, 2, 1,
     {0x7, 0x7},
     {&gs_nonnegative, &gs_positive, &gs_positive},
     {projectile_launch_angles_free_arrays_double, projectile_launch_angles_free_arrays_float},
-    {NULL, NULL},
+    {projectile_launch_angles_free_values_double, projectile_launch_angles_free_values_float},
     {projectile_launch_angles_free_numbers_double, projectile_launch_angles_free_numbers_float},
 };
 static const char projectile_launch_angles_free_doc[] =
@@ -2173,6 +2181,10 @@ static void projectile_launch_angles_drag_arrays_double(size_t n, const void *co
 {
     gs_projectile_launch_angles_drag_n(n, GS_IN(double, 0), GS_IN(double, 1), GS_IN(double, 2), GS_IN(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
 }
+static void projectile_launch_angles_drag_values_double(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_launch_angles_drag_nu(n, GS_IN(double, 0), GS_VALUE(double, 1), GS_VALUE(double, 2), GS_VALUE(double, 3), GS_OUT(double, 0), GS_OUT(double, 1));
+}
 static void projectile_launch_angles_drag_numbers_double(const void *in, void *out)
 {
     gs_projectile_launch_angles_drag(GS_X(double, 0), GS_X(double, 1), GS_X(double, 2), GS_X(double, 3), &GS_Y(double, 0), &GS_Y(double, 1));
@@ -2181,16 +2193,20 @@ static void projectile_launch_angles_drag_arrays_float(size_t n, const void *con
 {
     gs_projectile_launch_angles_drag_nf(n, GS_IN(float, 0), GS_IN(float, 1), GS_IN(float, 2), GS_IN(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
 }
+static void projectile_launch_angles_drag_values_float(size_t n, const void *const *in, void *const *out)
+{
+    gs_projectile_launch_angles_drag_nuf(n, GS_IN(float, 0), GS_VALUE(float, 1), GS_VALUE(float, 2), GS_VALUE(float, 3), GS_OUT(float, 0), GS_OUT(float, 1));
+}
 static void projectile_launch_angles_drag_numbers_float(const void *in, void *out)
 {
     gs_projectile_launch_angles_dragf(GS_X(float, 0), GS_X(float, 1), GS_X(float, 2), GS_X(float, 3), &GS_Y(float, 0), &GS_Y(float, 1));
 }
 static const gs_form projectile_launch_angles_drag_form = {
-    4, 2, 4,
+    4, 2, 1,
     {0xf, 0xf},
     {&gs_nonnegative, &gs_positive, &gs_positive, &gs_nonnegative},
     {projectile_launch_angles_drag_arrays_double, projectile_launch_angles_drag_arrays_float},
-    {NULL, NULL},
+    {projectile_launch_angles_drag_values_double, projectile_launch_angles_drag_values_float},
     {projectile_launch_angles_drag_numbers_double, projectile_launch_angles_drag_numbers_float},
 };
 static const char projectile_launch_angles_drag_doc[] =

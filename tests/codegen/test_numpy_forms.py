@@ -8,9 +8,10 @@ from samples import arguments, awkward, plain_results
 
 from galileo_sym.codegen.hoisting import hoisted
 from galileo_sym.codegen.lanes import forms, takes_values
+from galileo_sym.codegen.numpy_forms import on_pairs
 from galileo_sym.generated._chunks import CHUNK
 
-FORMS = forms()
+FORMS = [(f, s) for f, s in forms() if on_pairs(f)]
 OF_VALUES = [(f, s) for f, s in FORMS if takes_values(f)]
 
 

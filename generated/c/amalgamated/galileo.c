@@ -555,16 +555,22 @@ void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const 
  */
 void gs_projectile_launch_angles_free(double r, double v, double g, double *low, double *high);
 void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double *v, const double *g, double *low, double *high);
+void gs_projectile_launch_angles_free_nu(size_t n, const double *r, double v, double g, double *low, double *high);
 void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high);
 void gs_projectile_launch_angles_free_nf(size_t n, const float *r, const float *v, const float *g, float *low, float *high);
+void gs_projectile_launch_angles_free_nuf(size_t n, const float *r, float v, float g, float *low, float *high);
 void gs_projectile_launch_angles_drag(double r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_angles_drag_nu(size_t n, const double *r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high);
 void gs_projectile_launch_angles_drag_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+void gs_projectile_launch_angles_drag_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high);
 void gs_projectile_launch_angles(double r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high);
+void gs_projectile_launch_angles_nu(size_t n, const double *r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high);
 void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
+void gs_projectile_launch_angles_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high);
 
 /* Elevation of greatest range, for a given ratio of resistance to weight.
  *
@@ -9221,6 +9227,13 @@ static inline void gs_vp_max_range_factor_each(size_t block, const gs_vp *x, gs_
         gs_vp_put_back(&aside, value);
     }
 }
+static inline gs_vp gs_vp_max_range_factor(gs_vp x)
+{
+    gs_vp value;
+    gs_vp_max_range_factor_each(1, &x, &value);
+    return value;
+}
+
 static inline gs_vp gs_vp_acot_served0(gs_mask here, gs_vp x)
 {
     const gs_v least = gs_v_of(0x1.2000000000000p-2), zero = gs_v_of(0.0);
@@ -9274,6 +9287,13 @@ static inline void gs_vp_acot_each(size_t block, const gs_vp *x, gs_vp *value)
         gs_vp_put_back(&aside, value);
     }
 }
+static inline gs_vp gs_vp_acot(gs_vp x)
+{
+    gs_vp value;
+    gs_vp_acot_each(1, &x, &value);
+    return value;
+}
+
 #define GS_QUARTER_TURN 0x1.921fb54442d18p-1
 #define GS_HALF_TURN_0 0x1.921fb54442d18p+0
 #define GS_HALF_TURN_1 0x1.1a62633145c07p-54
@@ -9394,6 +9414,28 @@ static inline gs_vp gs_vp_driving(gs_turn a, gs_v mu, gs_mask *good, gs_mask *he
     *good = gs_both(*good, clear);
     *held = gs_not(moves);
     return gs_vp_of(gs_select(moves, n.hi, one), gs_select(moves, n.lo, zero));
+}
+
+static inline gs_vp gs_vp_right_angle(void) { return gs_vp_of(gs_v_of(GS_HALF_TURN_0), gs_v_of(GS_HALF_TURN_1)); }
+
+/* Arctangent of x > 0. */
+static inline gs_vp gs_vp_arctangent(gs_vp x, gs_mask *good)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_mask here = gs_less(gs_v_of(0.0), x.hi);
+    const gs_vp some = {gs_select(here, x.hi, one), gs_select(here, x.lo, gs_v_of(0.0))};
+    *good = gs_both(*good, here);
+    return gs_vp_acot(gs_vp_div(gs_vp_constant(1.0), some));
+}
+
+/* What stays clear of a ceiling, beside which results go with the square root of the distance; half of that elsewhere. */
+#define GS_CLEAR 0x1.ffcp-1
+static inline gs_vp gs_vp_below(gs_vp x, gs_vp most, gs_mask *good)
+{
+    const gs_mask here = gs_both(*good, gs_less(x.hi, gs_mul(most.hi, gs_v_of(GS_CLEAR))));
+    const gs_vp r = {gs_select(here, x.hi, gs_mul(most.hi, gs_v_of(0.5))), gs_select(here, x.lo, gs_v_of(0.0))};
+    *good = here;
+    return r;
 }
 
 /* exp(-z), z below 512 */
@@ -11911,9 +11953,6 @@ static inline gs_v gs_s_driving(gs_turn_single a, gs_v mu, gs_mask *good, gs_mas
     return gs_select(moves, n, gs_v_of(1.0));
 }
 
-/* exp(-z): beyond 600 any product with floats is 0 in binary32. */
-static inline gs_v gs_s_phi0m(gs_v z) { return gs_exp_minus_range0_lean(gs_min(z, gs_v_of(600.0))); }
-
 static inline gs_v gs_s_phi1m_served0(gs_mask here, gs_v x)
 {
     return gs_phi1m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
@@ -11958,6 +11997,13 @@ static inline void gs_s_phi1m_each(size_t block, const gs_v *x, gs_v *value)
         gs_s_put_back(&aside, value);
     }
 }
+static inline gs_v gs_s_phi1m(gs_v x)
+{
+    gs_v value;
+    gs_s_phi1m_each(1, &x, &value);
+    return value;
+}
+
 static inline gs_v gs_s_phi2m_served0(gs_mask here, gs_v x)
 {
     return gs_phi2m_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
@@ -12002,6 +12048,13 @@ static inline void gs_s_phi2m_each(size_t block, const gs_v *x, gs_v *value)
         gs_s_put_back(&aside, value);
     }
 }
+static inline gs_v gs_s_phi2m(gs_v x)
+{
+    gs_v value;
+    gs_s_phi2m_each(1, &x, &value);
+    return value;
+}
+
 static inline gs_v gs_s_descent_factor_served0(gs_mask here, gs_v x)
 {
     return gs_descent_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
@@ -12090,6 +12143,13 @@ static inline void gs_s_flight_factor_each(size_t block, const gs_v *x, gs_v *va
         gs_s_put_back(&aside, value);
     }
 }
+static inline gs_v gs_s_flight_factor(gs_v x)
+{
+    gs_v value;
+    gs_s_flight_factor_each(1, &x, &value);
+    return value;
+}
+
 static inline gs_v gs_s_range_factor_served0(gs_mask here, gs_v x)
 {
     return gs_range_factor_range0_lean(gs_select(here, x, gs_v_of(0x0.0p+0)));
@@ -12280,6 +12340,13 @@ static inline void gs_s_max_range_factor_each(size_t block, const gs_v *x, gs_v 
         gs_s_put_back(&aside, value);
     }
 }
+static inline gs_v gs_s_max_range_factor(gs_v x)
+{
+    gs_v value;
+    gs_s_max_range_factor_each(1, &x, &value);
+    return value;
+}
+
 static inline gs_v gs_s_acot_served0(gs_mask here, gs_v x)
 {
     return gs_acot_range0_lean(gs_select(here, x, gs_v_of(0x1.2000000000000p-2)));
@@ -12324,6 +12391,31 @@ static inline void gs_s_acot_each(size_t block, const gs_v *x, gs_v *value)
         gs_s_put_back(&aside, value);
     }
 }
+static inline gs_v gs_s_acot(gs_v x)
+{
+    gs_v value;
+    gs_s_acot_each(1, &x, &value);
+    return value;
+}
+
+static inline gs_v gs_s_right_angle(void) { return gs_v_of(GS_HALF_TURN_0); }
+
+static inline gs_v gs_s_arctangent(gs_v x, gs_mask *good)
+{
+    const gs_mask here = gs_less(gs_v_of(0.0), x);
+    *good = gs_both(*good, here);
+    return gs_s_acot(gs_div(gs_v_of(1.0), gs_select(here, x, gs_v_of(1.0))));
+}
+
+static inline gs_v gs_s_below(gs_v x, gs_v most, gs_mask *good)
+{
+    *good = gs_both(*good, gs_less(x, gs_mul(most, gs_v_of(GS_CLEAR))));
+    return gs_select(*good, x, gs_mul(most, gs_v_of(0.5)));
+}
+
+/* exp(-z): beyond 600 any product with floats is 0 in binary32. */
+static inline gs_v gs_s_phi0m(gs_v z) { return gs_exp_minus_range0_lean(gs_min(z, gs_v_of(600.0))); }
+
 #endif
 
 /* Whether no number within 2^-34 of r lies on the other side of a tie between floats, nor among the subnormal ones. */
@@ -13290,6 +13382,290 @@ GS_PUBLIC(arctan, _blocks, GS_NO_POLE, 0)
 #ifndef GALILEO_FORMS_H
 #define GALILEO_FORMS_H
 
+/* Launch angles against resistance on vectors: the roots of rho^2 = F(z), z the time of flight in units of v/g.
+ *
+ * With s = alpha z, across = z phi1(-s), rise = z^2 phi2(-s), fade = exp(-s): F = across^2 - rise^2, and by z the slopes
+ * of across and rise are fade and across. tan(theta) = rise/rho. Steps go to the root of the parabola that osculates F;
+ * from the starts, which are those of launch.c, one leaves 2^-13 of z, two 2^-38, three nothing beside a rounding: in
+ * pairs the third, for binary32 the second, is taken in `rise`, not in z.
+ * An error e of the pair phi2 or fade makes one of e/|fade - rise| or e fade/((s - 1 + fade) |fade - rise|) in the
+ * tangent: below 95 e for ranges that gs_vp_below lets pass, 0.1 ulp.
+ */
+#ifndef GALILEO_LAUNCH_H
+#define GALILEO_LAUNCH_H
+
+
+#define GS_MOST_ALPHA 0x1p+20  /* sines of the best angle are known well enough from its range */
+#define GS_LEAST_ALPHA 0x1p-100 /* resistance is nothing below */
+#define GS_LEAST_REACH 0x1p-100 /* squares of squares do not underflow */
+#define GS_LASTING 300.0          /* exp(-s) is nothing beyond */
+#define GS_BY_SERIES 0.75       /* s below which phi2 is found, and exp(-s) from it; the other way round above */
+
+/* The best shot in plain doubles, for the starts: what gives both times of flight by eta = sqrt(1 - (rho/most)^2). */
+typedef struct {
+    gs_v alpha, inverse_most, fade, best, reach, near, far, width, growth, rest;
+} gs_best;
+
+/* The same with what the last step in pairs needs of alpha. */
+typedef struct {
+    gs_best plain;
+    gs_vp alpha, inverse, inverse_square;
+} gs_vp_best;
+
+typedef struct {
+    gs_vp low, high;
+} gs_vp_angles;
+
+typedef struct {
+    gs_v low, high;
+} gs_s_angles;
+
+typedef struct {
+    gs_v across, rise, fade;
+} gs_point;
+
+/* log(1 + w)/w, w > 0, within 5e-5. */
+static inline gs_v gs_age(gs_v w)
+{
+    const gs_v one = gs_v_of(1.0), middle = gs_v_of(0x1.6a09e667f3bcdp+1);
+    const gs_v x = gs_add(one, w), m = gs_mantissa(x);
+    const gs_v f = gs_div(gs_sub(m, middle), gs_add(m, middle)), q = gs_mul(f, f);
+    const gs_v odd = gs_mul(f, gs_fma(q, gs_fma(q, gs_v_of(0.4), gs_v_of(0x1.5555555555555p-1)), gs_v_of(2.0)));
+    const gs_v log = gs_fma(gs_exponent(x), gs_v_of(0x1.62e42fefa39efp-1), gs_add(odd, gs_v_of(0x1.0a2b23f3bab73p+0)));
+    const gs_mask small = gs_less(w, gs_v_of(0.125));
+    return gs_div(gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-3), one), log),
+                  gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-1), one), w));
+}
+
+/* 1/sqrt(1 + 2p/3 + p^2) */
+static inline gs_v gs_bend_of(gs_v p)
+{
+    const gs_v square = gs_fma(p, gs_add(p, gs_v_of(0x1.5555555555555p-1)), gs_v_of(1.0));
+    return gs_div(gs_v_of(1.0), gs_sqrt(square));
+}
+
+/* What the starts need of the best shot; its sine from its range, most = cos/(alpha + sin). */
+static inline gs_best gs_s_shot(gs_v alpha_given, gs_mask *good)
+{
+    const gs_v one = gs_v_of(1.0), zero = gs_v_of(0.0);
+    const gs_mask here = gs_at_least(gs_v_of(GS_MOST_ALPHA), alpha_given);
+    const gs_v kept = gs_select(here, alpha_given, one);
+    const gs_v alpha = gs_select(gs_at_least(kept, gs_v_of(GS_LEAST_ALPHA)), kept, zero);
+    const gs_v most = gs_s_max_range_factor(alpha), stopped = gs_mul(alpha, most), square = gs_mul(most, most);
+    const gs_v left = gs_fma(gs_sub(one, stopped), gs_add(one, stopped), square);
+    const gs_v sine = gs_div(gs_fnma(stopped, most, gs_sqrt(left)), gs_add(one, square));
+    const gs_v w = gs_div(alpha, sine), age = gs_age(gs_add(w, gs_v_of(0x1p-30)));
+    const gs_v fade = gs_div(sine, gs_add(alpha, sine)), z = gs_div(age, sine), lost = gs_div(fade, age);
+    const gs_v bend = gs_mul(lost, gs_fma(gs_div(alpha, z), fade, lost));
+    gs_best shot;
+    shot.alpha = alpha, shot.fade = fade;
+    shot.inverse_most = gs_div(one, most);
+    shot.width = gs_div(gs_add(most, most), gs_sqrt(bend));
+    shot.best = gs_mul(z, z);
+    shot.reach = gs_mul(shot.best, gs_mul(lost, lost));
+    shot.near = gs_mul(gs_mul(shot.width, lost), fade);
+    shot.far = gs_sub(shot.reach, shot.near);
+    shot.growth = gs_sub(gs_sqrt(gs_div(one, fade)), one);
+    const gs_v flight = gs_s_flight_factor(alpha), end = gs_add(flight, flight);
+    shot.rest = gs_sub(gs_fma(end, end, gs_mul(shot.best, gs_v_of(-1.0))), gs_mul(shot.width, gs_bend_of(shot.growth)));
+    *good = gs_both(*good, here);
+    return shot;
+}
+
+/* Times of flight to begin with: as in launch.c. */
+static inline void gs_starts_of(const gs_best *shot, gs_v rho, gs_v *low, gs_v *high)
+{
+    const gs_v one = gs_v_of(1.0), share = gs_mul(rho, shot->inverse_most);
+    const gs_v eta = gs_sqrt(gs_mul(gs_sub(one, share), gs_add(one, share)));
+    const gs_v chord = gs_mul(share, gs_sqrt(gs_div(gs_fma(shot->far, eta, shot->reach), gs_add(one, eta))));
+    const gs_v gone = gs_mul(shot->alpha, chord), more = gs_add(one, gone), square = gs_mul(shot->alpha, shot->alpha);
+    const gs_v spare = gs_fma(gs_mul(square, eta), gs_fma(shot->far, eta, shot->near),
+                              gs_mul(shot->fade, gs_sub(gs_v_of(2.0), shot->fade)));
+    const gs_v grown = gs_div(more, spare);
+    *low = gs_mul(gs_mul(chord, grown), gs_age(gs_fma(gone, grown, gs_v_of(0x1p-30))));
+    const gs_v wide = gs_mul(shot->width, gs_bend_of(gs_mul(eta, shot->growth)));
+    *high = gs_sqrt(gs_fma(eta, gs_fma(shot->rest, eta, wide), shot->best));
+}
+
+static inline gs_point gs_point_at(gs_v z, gs_v alpha)
+{
+    const gs_v s = gs_mul(alpha, z), first = gs_s_phi1m(s);
+    const gs_point at = {gs_mul(z, first), gs_mul(gs_mul(z, z), gs_s_phi2m(s)), gs_fnma(s, first, gs_v_of(1.0))};
+    return at;
+}
+
+/* F - rho^2 */
+static inline gs_v gs_gap(gs_point at, gs_v rho)
+{
+    return gs_fnma(at.rise, at.rise, gs_mul(gs_sub(at.across, rho), gs_add(at.across, rho)));
+}
+
+/* From z to the lower or upper root of the osculating parabola. */
+static inline gs_v gs_step_from(gs_point at, gs_v gap, gs_v alpha, int low)
+{
+    const gs_v lead = gs_sub(at.fade, at.rise), slope = gs_mul(at.across, lead);
+    const gs_v bend = gs_fnma(at.fade, lead, gs_mul(at.across, gs_fma(alpha, at.fade, at.across)));
+    const gs_v turn = gs_sqrt(gs_abs(gs_fma(slope, slope, gs_mul(bend, gap)))); /* positive but for rounding */
+    return gs_div(gap, gs_sub(gs_v_of(0.0), low ? gs_add(slope, turn) : gs_sub(slope, turn)));
+}
+
+static inline gs_v gs_stepped(gs_v z, const gs_best *shot, gs_v rho, int low)
+{
+    const gs_point at = gs_point_at(z, shot->alpha);
+    return gs_add(z, gs_step_from(at, gs_gap(at, rho), shot->alpha, low));
+}
+
+/* What a step adds to the rise. */
+static inline gs_v gs_risen(gs_point at, gs_v step)
+{
+    return gs_mul(step, gs_fma(gs_mul(step, gs_v_of(0.5)), at.fade, at.across));
+}
+
+/* A range that is at hand only in lanes that are served: no power of it underflows. */
+static inline gs_mask gs_reached(gs_v rho) { return gs_at_least(rho, gs_v_of(GS_LEAST_REACH)); }
+
+/* Ends of the time of one shot. */
+static inline gs_v gs_s_elevation(gs_v z, const gs_best *shot, gs_v rho, int low)
+{
+    const gs_point at = gs_point_at(gs_stepped(z, shot, rho, low), shot->alpha);
+    const gs_v step = gs_step_from(at, gs_gap(at, rho), shot->alpha, low);
+    return gs_s_acot(gs_div(rho, gs_add(at.rise, gs_risen(at, step))));
+}
+
+static inline gs_s_angles gs_s_launch(gs_v rho_given, gs_best shot, gs_mask *good)
+{
+    const gs_mask here = gs_both(*good, gs_reached(rho_given));
+    const gs_v rho = gs_select(here, rho_given, gs_div(gs_v_of(0.5), shot.inverse_most));
+    gs_v low, high;
+    gs_starts_of(&shot, rho, &low, &high);
+    const gs_s_angles angles = {gs_s_elevation(low, &shot, rho, 1), gs_s_elevation(high, &shot, rho, 0)};
+    *good = here;
+    return angles;
+}
+
+static inline gs_vp_best gs_vp_shot(gs_vp alpha, gs_mask *good)
+{
+    const gs_v zero = gs_v_of(0.0);
+    gs_vp_best shot;
+    shot.plain = gs_s_shot(alpha.hi, good);
+    const gs_mask felt = gs_less(zero, shot.plain.alpha);
+    shot.alpha = gs_vp_of(shot.plain.alpha, gs_select(gs_both(*good, felt), alpha.lo, zero));
+    const gs_vp some = {gs_select(felt, shot.alpha.hi, gs_v_of(1.0)), gs_select(felt, shot.alpha.lo, zero)};
+    shot.inverse = gs_vp_div(gs_vp_constant(1.0), some);
+    shot.inverse_square = gs_vp_mul(shot.inverse, shot.inverse);
+    return shot;
+}
+
+/* Coefficients of phi2 at -s, GS_LAUNCH_PAIRS of them as pairs. */
+#define GS_LAUNCH_TERMS 18
+#define GS_LAUNCH_PAIRS 4
+static const double gs_launch_series[GS_LAUNCH_TERMS][2] = {
+    {0x1.0000000000000p-1, 0x0.0p+0},
+    {-0x1.5555555555555p-3, -0x1.5555555555555p-57},
+    {0x1.5555555555555p-5, 0x1.5555555555555p-59},
+    {-0x1.1111111111111p-7, -0x1.1111111111111p-63},
+    {0x1.6c16c16c16c17p-10, -0x1.f49f49f49f49fp-65},
+    {-0x1.a01a01a01a01ap-13, -0x1.a01a01a01a01ap-73},
+    {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76},
+    {-0x1.71de3a556c734p-19, 0x1.c154f8ddc6c00p-73},
+    {0x1.27e4fb7789f5cp-22, 0x1.cbbc05b4fa99ap-76},
+    {-0x1.ae64567f544e4p-26, 0x1.c062e06d1f209p-80},
+    {0x1.1eed8eff8d898p-29, -0x1.2aec959e14c06p-83},
+    {-0x1.6124613a86d09p-33, -0x1.f28e0cc748ebep-87},
+    {0x1.93974a8c07c9dp-37, 0x1.05d6f8a2efd1fp-92},
+    {-0x1.ae7f3e733b81fp-41, -0x1.1d8656b0ee8cbp-97},
+    {0x1.ae7f3e733b81fp-45, 0x1.1d8656b0ee8cbp-101},
+    {-0x1.952c77030ad4ap-49, -0x1.ac981465ddc6cp-103},
+    {0x1.6827863b97d97p-53, 0x1.eec01221a8b0bp-107},
+    {-0x1.2f49b46814157p-57, -0x1.2650f61dbdcb4p-112},
+};
+/* Pairs of across and rise, and fade. */
+typedef struct {
+    gs_vp across, rise;
+    gs_v fade;
+} gs_vp_point;
+
+/* c + s r, |s r| < |c|. */
+static inline gs_vp gs_vp_horner(const double c[2], gs_vp s, gs_vp r)
+{
+    const gs_vp p = gs_vp_mul(s, r), h = gs_vp_sum(gs_v_of(c[0]), p.hi);
+    return gs_vp_of(h.hi, gs_add(h.lo, gs_add(gs_v_of(c[1]), p.lo)));
+}
+
+/* By the power series of phi2 at -s, s < 3/4: the last terms in plain doubles. */
+static inline gs_vp_point gs_vp_soon(gs_v z, gs_vp s)
+{
+    gs_v tail = gs_v_of(gs_launch_series[GS_LAUNCH_TERMS - 1][0]);
+    for (int k = GS_LAUNCH_TERMS - 2; k >= GS_LAUNCH_PAIRS; k--)
+        tail = gs_fma(s.hi, tail, gs_v_of(gs_launch_series[k][0]));
+    gs_vp second = gs_vp_load(tail);
+    for (int k = GS_LAUNCH_PAIRS - 1; k >= 0; k--)
+        second = gs_vp_horner(gs_launch_series[k], s, second);
+    const gs_vp first = gs_vp_sub(gs_vp_constant(1.0), gs_vp_mul(s, second)), time = gs_vp_load(z);
+    gs_vp_point at;
+    at.across = gs_vp_mul(time, first);
+    at.rise = gs_vp_mul(gs_vp_mul(time, time), second);
+    at.fade = gs_fnma(s.hi, first.hi, gs_v_of(1.0));
+    return at;
+}
+
+/* By exp(-s), s >= 3/4: across is (1 - exp(-s))/alpha, and rise (s - 1 + exp(-s))/alpha^2. */
+static inline gs_vp_point gs_vp_later(const gs_vp_best *shot, gs_vp s)
+{
+    const gs_vp one = gs_vp_constant(1.0);
+    const gs_mask lasts = gs_less(s.hi, gs_v_of(GS_LASTING));
+    gs_vp fade;
+    fade.hi = gs_exp_minus_range0_pair(gs_select(lasts, s.hi, gs_v_of(GS_LASTING)), gs_select(lasts, s.lo, gs_v_of(0.0)),
+                                       &fade.lo);
+    const gs_vp gone = gs_vp_sub(one, fade);
+    gs_vp_point at;
+    at.across = gs_vp_mul(gone, shot->inverse);
+    at.rise = gs_vp_mul(gs_vp_sub(s, gone), shot->inverse_square);
+    at.fade = fade.hi;
+    return at;
+}
+
+static inline gs_vp_point gs_vp_point_at(const gs_vp_best *shot, gs_v z)
+{
+    const gs_vp s = gs_vp_mul(shot->alpha, gs_vp_load(z));
+    const gs_mask soon = gs_less(s.hi, gs_v_of(GS_BY_SERIES));
+    if (gs_all(soon))
+        return gs_vp_soon(z, s);
+    const gs_vp_point later = gs_vp_later(shot, s);
+    if (!gs_bits_of(soon))
+        return later;
+    const gs_vp_point near = gs_vp_soon(z, gs_vp_select(soon, s, gs_vp_constant(0.5)));
+    const gs_vp_point at = {gs_vp_select(soon, near.across, later.across), gs_vp_select(soon, near.rise, later.rise),
+                            gs_select(soon, near.fade, later.fade)};
+    return at;
+}
+
+static inline gs_vp gs_vp_elevation(gs_v z, const gs_vp_best *shot, gs_vp rho, int low)
+{
+    for (int k = 0; k < 2; k++)
+        z = gs_stepped(z, &shot->plain, rho.hi, low);
+    const gs_vp_point pairs = gs_vp_point_at(shot, z);
+    const gs_vp excess = gs_vp_sub(gs_vp_mul(pairs.across, pairs.across), gs_vp_mul(rho, rho));
+    const gs_v gap = gs_vp_value(gs_vp_sub(excess, gs_vp_mul(pairs.rise, pairs.rise)));
+    const gs_point at = {pairs.across.hi, pairs.rise.hi, pairs.fade};
+    const gs_v more = gs_risen(at, gs_step_from(at, gap, shot->plain.alpha, low));
+    return gs_vp_acot(gs_vp_div(rho, gs_vp_sum(pairs.rise.hi, gs_add(pairs.rise.lo, more))));
+}
+
+/* Both angles of a range in units of v^2/g, below the one that gs_vp_below tells. */
+static inline gs_vp_angles gs_vp_launch(gs_vp rho_given, gs_vp_best shot, gs_mask *good)
+{
+    const gs_mask here = gs_both(*good, gs_reached(rho_given.hi));
+    const gs_vp half = gs_vp_load(gs_div(gs_v_of(0.5), shot.plain.inverse_most));
+    const gs_vp rho = gs_vp_select(here, rho_given, half);
+    gs_v low, high;
+    gs_starts_of(&shot.plain, rho.hi, &low, &high);
+    const gs_vp_angles angles = {gs_vp_elevation(low, &shot, rho, 1), gs_vp_elevation(high, &shot, rho, 0)};
+    *good = here;
+    return angles;
+}
+
+#endif
 #ifndef GALILEO_SCALED_H
 #define GALILEO_SCALED_H
 
@@ -13329,6 +13705,11 @@ double gs_scaled_projectile_range_slope_k_free(double theta, double v, double g)
 double gs_scaled_projectile_range_slope_k_drag(double theta, double v, double g, double k);
 double gs_scaled_projectile_max_range_free(double v, double g);
 double gs_scaled_projectile_max_range_drag(double v, double g, double k);
+void gs_scaled_projectile_launch_angles_free(double r, double v, double g, double *low, double *high);
+void gs_scaled_projectile_launch_angles_drag(double r, double v, double g, double k, double *low, double *high);
+/* An argument that has a largest value: the float next to that counts as it. */
+double gs_widened_projectile_launch_angles_free(float r, float v, float g);
+double gs_widened_projectile_launch_angles_drag(float r, float v, float g, float k);
 
 #endif
 
@@ -21616,6 +21997,482 @@ void GS_JOIN(gs_projectile_max_range_drag_nf, GS_SUFFIX)(size_t count, const flo
     }
 }
 
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 4 div, 5 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_projectile_launch_angles_free_n, GS_SUFFIX)(size_t count, const double *r_in, const double *v_in, const double *g_in, double *low_out, double *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_vp once1 = gs_vp_right_angle();
+    gs_mask good_kept[GS_GROUP];
+    gs_vp most_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_load(r_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            gs_mask good = gs_between_or_0(r_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp most = gs_vp_over(gs_vp_product(v, v), g);
+            good_kept[i] = good;
+            most_kept[i] = most;
+        }
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v r_here = gs_v_load(r_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp most = most_kept[i];
+            const gs_vp r = gs_vp_below(gs_vp_load(r_told), most, &good);
+            const gs_vp rho = gs_vp_div(gs_vp_times(r, g), gs_vp_product(v, v));
+            const gs_vp turn = gs_vp_arctangent(gs_vp_div(rho, gs_vp_add(gs_vp_constant(1.0), gs_vp_sqrt(gs_vp_mul(gs_vp_sub(gs_vp_constant(1.0), rho), gs_vp_add(gs_vp_constant(1.0), rho))))), &good);
+            gs_v low_here = gs_vp_value(turn);
+            gs_v high_here = gs_vp_value(gs_vp_sub(once1, turn));
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_free(r_in[at + j], v_in[at + j], g_in[at + j], low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_store(low_out + at, low_here);
+            gs_v_store(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_free_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], r_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), pad[3], pad[4]);
+        memcpy(low_out, pad[3], rest * sizeof *low_out);
+        memcpy(high_out, pad[4], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 4 div, 5 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_projectile_launch_angles_free_nf, GS_SUFFIX)(size_t count, const float *r_in, const float *v_in, const float *g_in, float *low_out, float *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v once1 = gs_s_right_angle();
+    gs_mask good_kept[GS_GROUP];
+    gs_v most_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_widen(r_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            gs_mask good = gs_between(r_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v most = gs_s_div(gs_s_mul(v, v), g);
+            good_kept[i] = good;
+            most_kept[i] = most;
+        }
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v r_here = gs_v_widen(r_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v most = most_kept[i];
+            const gs_v r = gs_s_below(r_told, most, &good);
+            const gs_v rho = gs_s_div(gs_s_mul(r, g), gs_s_mul(v, v));
+            const gs_v turn = gs_s_arctangent(gs_s_div(rho, gs_s_add(gs_s_constant(1.0), gs_s_sqrt(gs_s_mul(gs_s_sub(gs_s_constant(1.0), rho, &good), gs_s_add(gs_s_constant(1.0), rho, &good))), &good)), &good);
+            gs_v low_here = turn;
+            gs_v high_here = gs_s_sub(once1, turn, &good);
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_free(gs_widened_projectile_launch_angles_free(r_in[at + j], v_in[at + j], g_in[at + j]), v_in[at + j], g_in[at + j], low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_narrow(low_out + at, low_here);
+            gs_v_narrow(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[5][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_free_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), pad[3], pad[4]);
+        memcpy(low_out, pad[3], rest * sizeof *low_out);
+        memcpy(high_out, pad[4], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 4 div, 5 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_projectile_launch_angles_free_nu, GS_SUFFIX)(size_t count, const double *r_in, double v_in, double g_in, double *low_out, double *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_vp most = gs_vp_over(gs_vp_product(v, v), g);
+    const gs_vp once1 = gs_vp_product(v, v);
+    const gs_vp once2 = gs_vp_right_angle();
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_load(r_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(r_here, 0x1p-100, 0x1p+100));
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_vp r = gs_vp_below(gs_vp_load(r_told), most, &good);
+            const gs_vp rho = gs_vp_div(gs_vp_times(r, g), once1);
+            const gs_vp turn = gs_vp_arctangent(gs_vp_div(rho, gs_vp_add(gs_vp_constant(1.0), gs_vp_sqrt(gs_vp_mul(gs_vp_sub(gs_vp_constant(1.0), rho), gs_vp_add(gs_vp_constant(1.0), rho))))), &good);
+            gs_v low_here = gs_vp_value(turn);
+            gs_v high_here = gs_vp_value(gs_vp_sub(once2, turn));
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_free(r_in[at + j], v_in, g_in, low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_store(low_out + at, low_here);
+            gs_v_store(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_free_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], r_in, rest), v_in, g_in, pad[1], pad[2]);
+        memcpy(low_out, pad[1], rest * sizeof *low_out);
+        memcpy(high_out, pad[2], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
+ * Operations: 4 add, 1 arctangent, 4 div, 5 mul, 1 sqrt, 1 table. */
+void GS_JOIN(gs_projectile_launch_angles_free_nuf, GS_SUFFIX)(size_t count, const float *r_in, float v_in, float g_in, float *low_out, float *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v most = gs_s_div(gs_s_mul(v, v), g);
+    const gs_v once1 = gs_s_mul(v, v);
+    const gs_v once2 = gs_s_right_angle();
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_widen(r_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(r_here, 0.0, 0x1p+128));
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v r = gs_s_below(r_told, most, &good);
+            const gs_v rho = gs_s_div(gs_s_mul(r, g), once1);
+            const gs_v turn = gs_s_arctangent(gs_s_div(rho, gs_s_add(gs_s_constant(1.0), gs_s_sqrt(gs_s_mul(gs_s_sub(gs_s_constant(1.0), rho, &good), gs_s_add(gs_s_constant(1.0), rho, &good))), &good)), &good);
+            gs_v low_here = turn;
+            gs_v high_here = gs_s_sub(once2, turn, &good);
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_free(gs_widened_projectile_launch_angles_free(r_in[at + j], v_in, g_in), v_in, g_in, low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_narrow(low_out + at, low_here);
+            gs_v_narrow(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_free_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), v_in, g_in, pad[1], pad[2]);
+        memcpy(low_out, pad[1], rest * sizeof *low_out);
+        memcpy(high_out, pad[2], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 4 div, 7 mul, 1 solver, 3 table. */
+void GS_JOIN(gs_projectile_launch_angles_drag_n, GS_SUFFIX)(size_t count, const double *r_in, const double *v_in, const double *g_in, const double *k_in, double *low_out, double *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    gs_mask good_kept[GS_GROUP];
+    gs_vp alpha_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_load(r_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v k_here = gs_v_load(k_in + at);
+            gs_mask good = gs_between_or_0(r_here, 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between(v_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(g_here, 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+100));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_felt(gs_select(good, k_here, one));
+            const gs_vp alpha = gs_vp_over(gs_vp_product(k, v), g);
+            good_kept[i] = good;
+            alpha_kept[i] = alpha;
+        }
+        gs_vp_max_range_factor_each(block, alpha_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v r_here = gs_v_load(r_in + at);
+            const gs_v v_here = gs_v_load(v_in + at);
+            const gs_v g_here = gs_v_load(g_in + at);
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_vp alpha = alpha_kept[i];
+            const gs_vp factor1 = factor1_kept[i];
+            const gs_vp most = gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), factor1);
+            const gs_vp r = gs_vp_below(gs_vp_load(r_told), most, &good);
+            const gs_vp rho = gs_vp_div(gs_vp_times(r, g), gs_vp_product(v, v));
+            const gs_vp_best shot = gs_vp_shot(alpha, &good);
+            const gs_vp_angles angles = gs_vp_launch(rho, shot, &good);
+            gs_v low_here = gs_vp_value(angles.low);
+            gs_v high_here = gs_vp_value(angles.high);
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_drag(r_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j], low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_store(low_out + at, low_here);
+            gs_v_store(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_drag_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], r_in, rest), gs_padded(pad[1], v_in, rest), gs_padded(pad[2], g_in, rest), gs_padded(pad[3], k_in, rest), pad[4], pad[5]);
+        memcpy(low_out, pad[4], rest * sizeof *low_out);
+        memcpy(high_out, pad[5], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 4 div, 7 mul, 1 solver, 3 table. */
+void GS_JOIN(gs_projectile_launch_angles_drag_nf, GS_SUFFIX)(size_t count, const float *r_in, const float *v_in, const float *g_in, const float *k_in, float *low_out, float *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    gs_mask good_kept[GS_GROUP];
+    gs_v alpha_kept[GS_GROUP], factor1_kept[GS_GROUP];
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_widen(r_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v k_here = gs_v_widen(k_in + at);
+            gs_mask good = gs_between(r_here, 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(v_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(g_here, 0x1p-149, 0x1p+128));
+            good = gs_both(good, gs_between(k_here, 0.0, 0x1p+128));
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v k = gs_select(good, k_here, one);
+            const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
+            good_kept[i] = good;
+            alpha_kept[i] = alpha;
+        }
+        gs_s_max_range_factor_each(block, alpha_kept, factor1_kept);
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            gs_mask good = good_kept[i];
+            const gs_v r_here = gs_v_widen(r_in + at);
+            const gs_v v_here = gs_v_widen(v_in + at);
+            const gs_v g_here = gs_v_widen(g_in + at);
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v v = gs_select(good, v_here, one);
+            const gs_v g = gs_select(good, g_here, one);
+            const gs_v alpha = alpha_kept[i];
+            const gs_v factor1 = factor1_kept[i];
+            const gs_v most = gs_s_mul(gs_s_div(gs_s_mul(v, v), g), factor1);
+            const gs_v r = gs_s_below(r_told, most, &good);
+            const gs_v rho = gs_s_div(gs_s_mul(r, g), gs_s_mul(v, v));
+            const gs_best shot = gs_s_shot(alpha, &good);
+            const gs_s_angles angles = gs_s_launch(rho, shot, &good);
+            gs_v low_here = angles.low;
+            gs_v high_here = angles.high;
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_drag(gs_widened_projectile_launch_angles_drag(r_in[at + j], v_in[at + j], g_in[at + j], k_in[at + j]), v_in[at + j], g_in[at + j], k_in[at + j], low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_narrow(low_out + at, low_here);
+            gs_v_narrow(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, v_in += block * GS_LANES, g_in += block * GS_LANES, k_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_drag_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), gs_padded_single(pad[1], v_in, rest), gs_padded_single(pad[2], g_in, rest), gs_padded_single(pad[3], k_in, rest), pad[4], pad[5]);
+        memcpy(low_out, pad[4], rest * sizeof *low_out);
+        memcpy(high_out, pad[5], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 4 div, 7 mul, 1 solver, 3 table. */
+void GS_JOIN(gs_projectile_launch_angles_drag_nu, GS_SUFFIX)(size_t count, const double *r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-100, 0x1p+100);
+    known = gs_both(known, gs_between(g_here, 0x1p-100, 0x1p+100));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+100));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_felt(gs_select(known, k_here, one));
+    const gs_vp alpha = gs_vp_over(gs_vp_product(k, v), g);
+    const gs_vp most = gs_vp_mul(gs_vp_over(gs_vp_product(v, v), g), gs_vp_max_range_factor(alpha));
+    const gs_vp once1 = gs_vp_product(v, v);
+    const gs_vp_best shot = gs_vp_shot(alpha, &known);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_load(r_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between_or_0(r_here, 0x1p-100, 0x1p+100));
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_vp r = gs_vp_below(gs_vp_load(r_told), most, &good);
+            const gs_vp rho = gs_vp_div(gs_vp_times(r, g), once1);
+            const gs_vp_angles angles = gs_vp_launch(rho, shot, &good);
+            gs_v low_here = gs_vp_value(angles.low);
+            gs_v high_here = gs_vp_value(angles.high);
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_drag(r_in[at + j], v_in, g_in, k_in, low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_store(low_out + at, low_here);
+            gs_v_store(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_drag_nu, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], r_in, rest), v_in, g_in, k_in, pad[1], pad[2]);
+        memcpy(low_out, pad[1], rest * sizeof *low_out);
+        memcpy(high_out, pad[2], rest * sizeof *high_out);
+    }
+}
+
+/* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
+ * Operations: 4 div, 7 mul, 1 solver, 3 table. */
+void GS_JOIN(gs_projectile_launch_angles_drag_nuf, GS_SUFFIX)(size_t count, const float *r_in, float v_in, float g_in, float k_in, float *low_out, float *high_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    const gs_v v_here = gs_v_of(v_in);
+    const gs_v g_here = gs_v_of(g_in);
+    const gs_v k_here = gs_v_of(k_in);
+    gs_mask known = gs_between(v_here, 0x1p-149, 0x1p+128);
+    known = gs_both(known, gs_between(g_here, 0x1p-149, 0x1p+128));
+    known = gs_both(known, gs_between(k_here, 0.0, 0x1p+128));
+    const gs_v v = gs_select(known, v_here, one);
+    const gs_v g = gs_select(known, g_here, one);
+    const gs_v k = gs_select(known, k_here, one);
+    const gs_v alpha = gs_s_div(gs_s_mul(v, k), g);
+    const gs_v most = gs_s_mul(gs_s_div(gs_s_mul(v, v), g), gs_s_max_range_factor(alpha));
+    const gs_v once1 = gs_s_mul(v, v);
+    const gs_best shot = gs_s_shot(alpha, &known);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v r_here = gs_v_widen(r_in + at);
+            gs_mask good = known;
+            good = gs_both(good, gs_between(r_here, 0.0, 0x1p+128));
+            const gs_v r_told = gs_select(good, r_here, one);
+            const gs_v r = gs_s_below(r_told, most, &good);
+            const gs_v rho = gs_s_div(gs_s_mul(r, g), once1);
+            const gs_s_angles angles = gs_s_launch(rho, shot, &good);
+            gs_v low_here = angles.low;
+            gs_v high_here = angles.high;
+            if (!gs_all(good)) {
+                double low_each[GS_LANES], high_each[GS_LANES];
+                gs_v_store(low_each, low_here);
+                gs_v_store(high_each, high_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_projectile_launch_angles_drag(gs_widened_projectile_launch_angles_drag(r_in[at + j], v_in, g_in, k_in), v_in, g_in, k_in, low_each + j, high_each + j);
+                low_here = gs_v_load(low_each);
+                high_here = gs_v_load(high_each);
+            }
+            gs_v_narrow(low_out + at, low_here);
+            gs_v_narrow(high_out + at, high_here);
+        }
+        vectors -= block, r_in += block * GS_LANES, low_out += block * GS_LANES, high_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[3][GS_LANES];
+        GS_JOIN(gs_projectile_launch_angles_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), v_in, g_in, k_in, pad[1], pad[2]);
+        memcpy(low_out, pad[1], rest * sizeof *low_out);
+        memcpy(high_out, pad[2], rest * sizeof *high_out);
+    }
+}
+
 #endif
 
 
@@ -23111,6 +23968,96 @@ void gs_projectile_max_range_n(size_t n, const double *v, const double *g, const
 void gs_projectile_max_range_nf(size_t n, const float *v, const float *g, const float *k, float *range)
 {
     GS_CHOOSE(gs_projectile_max_range_drag_nf)(n, v, g, k, range);
+}
+
+void gs_projectile_launch_angles_free(double r, double v, double g, double *low, double *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_free_n)(1, &r, &v, &g, low, high);
+}
+
+void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_free_nf)(1, &r, &v, &g, low, high);
+}
+
+void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double *v, const double *g, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_free_n)(n, r, v, g, low, high);
+}
+
+void gs_projectile_launch_angles_free_nf(size_t n, const float *r, const float *v, const float *g, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_free_nf)(n, r, v, g, low, high);
+}
+
+void gs_projectile_launch_angles_free_nu(size_t n, const double *r, double v, double g, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_free_nu)(n, r, v, g, low, high);
+}
+
+void gs_projectile_launch_angles_free_nuf(size_t n, const float *r, float v, float g, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_free_nuf)(n, r, v, g, low, high);
+}
+
+void gs_projectile_launch_angles_drag(double r, double v, double g, double k, double *low, double *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_drag_n)(1, &r, &v, &g, &k, low, high);
+}
+
+void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_drag_nf)(1, &r, &v, &g, &k, low, high);
+}
+
+void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_n)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_drag_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nf)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_drag_nu(size_t n, const double *r, double v, double g, double k, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nu)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_drag_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nuf)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles(double r, double v, double g, double k, double *low, double *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_drag_n)(1, &r, &v, &g, &k, low, high);
+}
+
+void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high)
+{
+    GS_CHOOSE_SINGLE(gs_projectile_launch_angles_drag_nf)(1, &r, &v, &g, &k, low, high);
+}
+
+void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_n)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nf)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_nu(size_t n, const double *r, double v, double g, double k, double *low, double *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nu)(n, r, v, g, k, low, high);
+}
+
+void gs_projectile_launch_angles_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high)
+{
+    GS_CHOOSE(gs_projectile_launch_angles_drag_nuf)(n, r, v, g, k, low, high);
 }
 #undef GS_SUFFIX
 #undef gs_add
@@ -25124,9 +26071,14 @@ static inline float gs_most_of_launch_angles_freef(float v, float g)
     return most;
 }
 
+double gs_widened_projectile_launch_angles_free(float r, float v, float g)
+{
+    return gs_widen_to(r, gs_most_of_launch_angles_freef(v, g), gs_most_of_launch_angles_free(v, g));
+}
+
 /* stable.projectile.launch_angles.free, the stable form of projectile.nodrag.claim.pairs.
  * Operations: 4 add, 1 arctangent, 3 div, 4 mul, 1 sqrt, 1 table. */
-void gs_projectile_launch_angles_free(double r_in, double v_in, double g_in, double *low_out, double *high_out)
+void gs_scaled_projectile_launch_angles_free(double r_in, double v_in, double g_in, double *low_out, double *high_out)
 {
     if (isnan(r_in) || isnan(v_in) || isnan(g_in)) {
         *low_out = *high_out = NAN;
@@ -25193,9 +26145,14 @@ static inline float gs_most_of_launch_angles_dragf(float v, float g, float k)
     return most;
 }
 
+double gs_widened_projectile_launch_angles_drag(float r, float v, float g, float k)
+{
+    return gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k));
+}
+
 /* stable.projectile.launch_angles.drag, the stable form of projectile.thm2.a, projectile.range.exp.
  * Operations: 3 div, 5 mul, 1 solver, 2 table. */
-void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
+void gs_scaled_projectile_launch_angles_drag(double r_in, double v_in, double g_in, double k_in, double *low_out, double *high_out)
 {
     if (isnan(r_in) || isnan(v_in) || isnan(g_in) || isnan(k_in)) {
         *low_out = *high_out = NAN;
@@ -25223,71 +26180,6 @@ void gs_projectile_launch_angles_drag(double r_in, double v_in, double g_in, dou
     const gs_angles angles = gs_launch(launch_angles_drag_balance, rho, alpha);
     *low_out = gs_settle(angles.low, (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
     *high_out = gs_settle(angles.high, (isinf(v_in) && (isinf(g_in) || isinf(k_in))));
-}
-
-void gs_projectile_launch_angles(double r, double v, double g, double k, double *low, double *high)
-{
-    gs_projectile_launch_angles_drag(r, v, g, k, low, high);
-}
-
-void gs_projectile_launch_angles_free_n(size_t n, const double *r, const double *v, const double *g, double *low, double *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles_free(r[i], v[i], g[i], low + i, high + i);
-}
-
-void gs_projectile_launch_angles_freef(float r, float v, float g, float *low, float *high)
-{
-    double low_wide, high_wide;
-    gs_projectile_launch_angles_free(gs_widen_to(r, gs_most_of_launch_angles_freef(v, g), gs_most_of_launch_angles_free(v, g)), (double)v, (double)g, &low_wide, &high_wide);
-    *low = (float)low_wide;
-    *high = (float)high_wide;
-}
-
-void gs_projectile_launch_angles_free_nf(size_t n, const float *r, const float *v, const float *g, float *low, float *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles_freef(r[i], v[i], g[i], low + i, high + i);
-}
-
-void gs_projectile_launch_angles_drag_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles_drag(r[i], v[i], g[i], k[i], low + i, high + i);
-}
-
-void gs_projectile_launch_angles_dragf(float r, float v, float g, float k, float *low, float *high)
-{
-    double low_wide, high_wide;
-    gs_projectile_launch_angles_drag(gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
-    *low = (float)low_wide;
-    *high = (float)high_wide;
-}
-
-void gs_projectile_launch_angles_drag_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles_dragf(r[i], v[i], g[i], k[i], low + i, high + i);
-}
-
-void gs_projectile_launch_angles_n(size_t n, const double *r, const double *v, const double *g, const double *k, double *low, double *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_angles(r[i], v[i], g[i], k[i], low + i, high + i);
-}
-
-void gs_projectile_launch_anglesf(float r, float v, float g, float k, float *low, float *high)
-{
-    double low_wide, high_wide;
-    gs_projectile_launch_angles(gs_widen_to(r, gs_most_of_launch_angles_dragf(v, g, k), gs_most_of_launch_angles_drag(v, g, k)), (double)v, (double)g, (double)k, &low_wide, &high_wide);
-    *low = (float)low_wide;
-    *high = (float)high_wide;
-}
-
-void gs_projectile_launch_angles_nf(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_projectile_launch_anglesf(r[i], v[i], g[i], k[i], low + i, high + i);
 }
 
 /* stable.projectile.best_angle, the stable form of projectile.thm3.
