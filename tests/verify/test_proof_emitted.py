@@ -17,7 +17,7 @@ from galileo_sym.verify.proof.pieces import lookup, pieces
 
 NAME = "descent_factor"
 TEXT = kernels_of(NAME)
-TWO_BANKS = kernels_of("flight_factor")
+TWO_BANKS = kernels_of("range_factor")
 HEADER = (EMITTED / "galileo_vector.h").read_bytes().decode()
 H = "    const gs_v h = "
 NEAR = "static inline gs_v gs_descent_factor_near("
