@@ -11,74 +11,24 @@ from pathlib import Path
 
 import numpy as np
 
-from galileo_sym import projectile
 from galileo_sym.files import write_whole
 from galileo_sym.generated._graphs import SYSTEMS
+from galileo_sym.scene_strata import ENDING, ENDS, SIDE, STRATA, draw_scene, exact, exact_ended, strata
 from galileo_sym.scenes import Scene
 from galileo_sym.scenes.compiled import Compiled
 from galileo_sym.scenes.results import force_set
 from galileo_sym.verify.back_ends import generated_folder
 from galileo_sym.verify.measure import as_hex, from_hex
-from galileo_sym.verify.reference import reference
 from galileo_sym.verify.ulp import rounded_up, ulp_error
 
 BOUND = 2.0  # ulp: one more than the public functions; of the larger term where there are two, as there
 SEED = 2014
 POINTS = 128
-_SIDE = 16  # values of each axis
-_HALF_PI = np.pi / 2
-_TITLE = "scenes over t and theta, all outputs at once; other sets of outputs have the same bits"
+_TITLE = (
+    "scenes over t and theta, all outputs at once; other sets of outputs have the same bits;"
+    " arrived, before 0, at rest: of motions that end, speeds at times that differ from the end's by more than 2**-50"
+)
 REMEDY = "run `galileo-sym verify scenes --update` and review what changes"
-
-
-def _typical(draw, name):
-    ranges = {"t": (-3.0, 1.5), "g": (0.0, 2.0), "v": (0.0, 3.0), "diameter": (-1.0, 2.0)}
-    return 10.0 ** draw.uniform(*ranges.get(name, (-2.0, 0.5)))
-
-
-def _extreme(draw, name):
-    return 2.0 ** draw.uniform(-300.0, 300.0)
-
-
-def _angles(draw, system, most):
-    """Angles up to the one from which a bead rests, some of them next to it, next to 0 or next to a right angle."""
-    beside = np.nextafter(most, 0.0) - np.arange(5) * 2.0**-52
-    away = most * (1.0 - 2.0 ** draw.uniform(-47.0, -4.0, 4))
-    tiny = 2.0 ** draw.uniform(-900.0, -8.0, 3)
-    plain = most * draw.uniform(0.0, 1.0, _SIDE - 12)
-    found = np.concatenate([beside[:5], away, tiny, plain])
-    return found * draw.choice([-1.0, 1.0], found.size) if system == "chord" else found
-
-
-def draw_scene(system, forces, stratum, draw):
-    """Return constants and axes of a scene.
-
-    Parameters
-    ----------
-    system : str
-    forces : tuple of str
-        Arguments of the forces that act.
-    stratum : str
-        A key of ``STRATA``.
-    draw : numpy.random.Generator
-    """
-    one = STRATA[stratum]
-    needed = {name for row in SYSTEMS[system]["outputs"].values() for name in row["arguments"]} - {"t", "theta"}
-    constants = {name: float(one(draw, name)) for name in sorted({*needed, *forces})}
-    if "mu" in constants:
-        constants["mu"] = float(_typical(draw, "mu"))
-    most = float(np.arctan2(1.0, constants["mu"])) if "mu" in constants else _HALF_PI
-    theta = _angles(draw, system, most)
-    t = np.array([one(draw, "t") for _ in range(_SIDE)])
-    if system == "projectile":  # half of them at landing, where heights cancel
-        given = {name: constants[name] for name in ("v", "g", *forces)}
-        with np.errstate(all="ignore"):
-            landing = projectile.flight_time(theta, **given)
-        t = np.where(np.isfinite(landing) & (np.arange(_SIDE) % 2 == 0), landing, t)
-    return constants, {"t": t, "theta": theta}
-
-
-STRATA = {"typical": _typical, "extreme": _extreme}
 
 
 def variants():
@@ -89,13 +39,6 @@ def variants():
         for size in range(len(row["forces"]) + 1)
         for forces in combinations(row["forces"].values(), size)
     ]
-
-
-def exact(system, output, point):
-    """Return a certain enclosure of an output at a point, given with all constants."""
-    row = SYSTEMS[system]["outputs"][output]
-    names = (*row["arguments"], *SYSTEMS[system]["forces"].values())
-    return reference(row["function"], {name: float(point.get(name, 0.0)) for name in names})[row["index"]]
 
 
 def _back_ends(scene):
@@ -123,38 +66,47 @@ def measure(system, forces, stratum, points, seed, recorded=None):
     draw = np.random.default_rng([seed, *place])
     constants, axes = draw_scene(system, forces, stratum, draw)
     worst = {"measured": 0.0, "output": None, "worst": {}}
-    cells = draw.choice(_SIDE * _SIDE, min(points, _SIDE * _SIDE), replace=False)
-    served = _worst_of(system, constants, axes, [divmod(int(cell), _SIDE) for cell in cells], worst)
+    cells = draw.choice(SIDE * SIDE, min(points, SIDE * SIDE), replace=False)
+    ends = STRATA[stratum].ends
+    served = _worst_of(system, ends, constants, axes, [divmod(int(cell), SIDE) for cell in cells], worst)
     if recorded:
         fixed = {name: value for name, value in recorded.items() if name not in axes}
-        _worst_of(system, fixed, {name: np.array([recorded[name]]) for name in axes}, [(0, 0)], worst)
+        _worst_of(system, ends, fixed, {name: np.array([recorded[name]]) for name in axes}, [(0, 0)], worst)
     worst["measured"] = rounded_up(worst["measured"])
     return {"bound": BOUND, **worst, "points": len(cells), "back_ends": served}
 
 
-def _worst_of(system, constants, axes, cells, worst):
-    """Enter the largest error at some points of a grid; returns the names of the back ends."""
-    outputs = tuple(SYSTEMS[system]["outputs"])
-    scene = Scene(system, over=("t", "theta"), outputs=outputs, until="forever", **constants)
+def _scene(system, ends, constants):
+    """All outputs of a motion that goes on, or those that end."""
+    outputs = ENDING[system] if ends else tuple(SYSTEMS[system]["outputs"])
+    return Scene(system, over=("t", "theta"), outputs=outputs, until=ENDS[system] if ends else "forever", **constants)
+
+
+def _worst_of(system, ends, constants, axes, cells, worst):
+    """Enter the largest error at some points of a grid, of a motion that ends or not; returns the back ends' names."""
+    scene, enclosed = _scene(system, ends, constants), exact_ended if ends else exact
+    outputs = scene.outputs
     back_ends = _back_ends(scene)
     with np.errstate(all="ignore"):
         found = [one(**axes) for one in back_ends.values()]
     for i, j in cells:
         point = {**constants, "t": float(axes["t"][i]), "theta": float(axes["theta"][j])}
         for k, output in enumerate(outputs):
-            enclosure = exact(system, output, point)
+            enclosure = enclosed(system, output, point)
+            if enclosure is None:
+                continue
             error = max(ulp_error(values[k][i, j], enclosure) for values in found)
             if error >= worst["measured"]:
                 worst.update(measured=error, output=output, worst=point)
     return list(back_ends)
 
 
-def subsets_that_differ(system, forces, seed):
+def subsets_that_differ(system, forces, ends, seed):
     """Return how many sets of outputs there are, and those with other bits than all outputs at once have."""
-    constants, axes = draw_scene(system, forces, "typical", np.random.default_rng(seed))
+    constants, axes = draw_scene(system, forces, "arrived" if ends else "typical", np.random.default_rng(seed))
     axes = {name: values[::5] for name, values in axes.items()}
-    outputs = tuple(SYSTEMS[system]["outputs"])
-    scene = Scene(system, over=("t", "theta"), outputs=outputs, until="forever", **constants)
+    scene = _scene(system, ends, constants)
+    outputs = scene.outputs
     whole = dict(zip(outputs, scene(**axes), strict=True))
     chosen = [names for size in range(1, len(outputs)) for names in combinations(outputs, size)]
     differing = [
@@ -203,14 +155,18 @@ def verify(points=POINTS, seed=SEED, update=False, date=None):
     known, rows, problems = _recorded(), [], []
     for system, forces in variants():
         name = force_set(system, forces)
-        count, differing = subsets_that_differ(system, forces, seed)
-        problems += [f"{system} {name}: {', '.join(names)} alone have other bits" for names in differing]
-        for stratum in STRATA:
+        counts = {}
+        for ends in (False, True):
+            counts[ends], differing = subsets_that_differ(system, forces, ends, seed)
+            problems += [f"{system} {name}: {', '.join(names)} alone have other bits" for names in differing]
+        for stratum in strata(forces):
             record = known.get((system, name, stratum))
             if record is None and not update:
                 problems.append(f"{system} {name} {stratum}: not in the certificate; {REMEDY}")
             row = measure(system, forces, stratum, points, seed, record and record["worst"])
-            rows.append({"system": system, "forces": name, "stratum": stratum, "subsets": count, **row})
+            rows.append(
+                {"system": system, "forces": name, "stratum": stratum, "subsets": counts[STRATA[stratum].ends], **row}
+            )
             if row["measured"] > BOUND:
                 problems.append(f"{system} {name} {stratum}: {row['output']} errs by {row['measured']} ulp")
     rows = [{**row, "worst": as_hex(row["worst"])} for row in rows]
