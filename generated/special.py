@@ -343,7 +343,7 @@ def descent_factor_pair(x, x_lo):
 
 
 def _flight_factor_0(x):
-    """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [0.0, 255.0)."""
+    """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [0.0, 191.25)."""
     f, f_lo = near(FLIGHT_FACTOR, x)
     r = f
     lo = f_lo
@@ -359,7 +359,7 @@ def _flight_factor_0_pair(x, x_lo):
 
 
 def _flight_factor_1(x):
-    """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [255.0, inf]."""
+    """T/(2 b) with T = (1 + b)(1 - exp(-T)), for x in [191.25, inf]."""
     y_q = 0.5 / x
     y_finite = np.minimum(x, 1.7976931348623157e+308)
     y_e0 = op.product_rest(y_q, y_finite, 0.5)
@@ -403,8 +403,8 @@ _FLIGHT_FACTOR = {
     "parity": "",
     "pole": None,
     "forms": (
-        (-inf, 255.0, _flight_factor_0, _flight_factor_0_pair),
-        (255.0, inf, _flight_factor_1, _flight_factor_1_pair),
+        (-inf, 191.25, _flight_factor_0, _flight_factor_0_pair),
+        (191.25, inf, _flight_factor_1, _flight_factor_1_pair),
     ),
 }
 

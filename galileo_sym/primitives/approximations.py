@@ -114,7 +114,7 @@ APPROXIMATIONS = {
         Approximation("phi2m", _of("phi2", -1), 1.75, 15, "(z - 1 + exp(-z))/z^2"),
         Approximation("phi2m_tail", _of("phi2", -1), 1.75, 14, "phi2m, continued", COUNT),
         Approximation("descent_factor", _of("descent_factor"), 0.625, 14, "tau/p, tau - 1 + exp(-tau) = p^2/2"),
-        Approximation("flight_factor", _of("flight_factor"), 1.0, 17, "T/(2 b), T = (1 + b)(1 - exp(-T))", 0, 1),
+        Approximation("flight_factor", _of("flight_factor"), 0.75, 16, "T/(2 b), T = (1 + b)(1 - exp(-T))", 0, 1),
         Approximation("range_factor", _of("range_factor"), 0.5, 14, "(1 - exp(-T))/(2 b), T = (1 + b)(1 - exp(-T))"),
         Approximation("range_tail", _of("range_factor"), 0.5, 14, "range_factor, continued", COUNT),
         Approximation("best_sine", _of("best_sine"), 1.0, 13, "a/(exp(s) - 1), 1 + (s - 1) exp(s) = a^2"),

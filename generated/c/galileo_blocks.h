@@ -282,12 +282,12 @@ GS_LOOPS(flight_factor)
 static inline gs_mask gs_flight_factor_is_kind0(gs_v x)
 {
     const gs_v m = x;
-    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.fe00000000000p+7));
+    return gs_within(m, gs_v_of(0x0.0p+0), gs_v_of(0x1.7e80000000000p+7));
 }
 static inline gs_mask gs_flight_factor_is_kind1(gs_v x)
 {
     const gs_v m = x;
-    return gs_at_least(m, gs_v_of(0x1.fe00000000000p+7));
+    return gs_at_least(m, gs_v_of(0x1.7e80000000000p+7));
 }
 static inline gs_v gs_flight_factor_kind0(gs_v x)
 {
@@ -319,7 +319,7 @@ static GS_RARE void gs_flight_factor_mixed(size_t n, const double *x, double *va
         length1 = gs_append(part1, length1, in1, v);
     }
     GS_SERVE(gs_flight_factor_any, gs_v_of(0x0.0p+0), part0, length0);
-    GS_SERVE(gs_flight_factor_kind1, gs_v_of(0x1.fe00000000000p+7), part1, length1);
+    GS_SERVE(gs_flight_factor_kind1, gs_v_of(0x1.7e80000000000p+7), part1, length1);
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_load(x + i);
         const gs_mask in1 = gs_flight_factor_is_kind1(v);

@@ -1033,141 +1033,134 @@ static inline gs_v gs_descent_factor_value(gs_v x, gs_v *lo)
     return gs_all(here) ? r : gs_descent_factor_outside(x, r, lo);
 }
 
-/* T/(2 b), T = (1 + b)(1 - exp(-T)), on [0.0, 255.0): degree 17 on each of 16 pieces. */
+/* T/(2 b), T = (1 + b)(1 - exp(-T)), on [0.0, 191.25): degree 16 on each of 16 pieces. */
 GS_TABLE(gs_flight_factor_centre) = {
-    0x0.0p+0, 0x1.8000000000000p-1, 0x1.8000000000000p+0, 0x1.4000000000000p+1,
-    0x1.0000000000000p+2, 0x1.8000000000000p+2, 0x1.2000000000000p+3, 0x1.a000000000000p+3,
-    0x1.3000000000000p+4, 0x1.b000000000000p+4, 0x1.3800000000000p+5, 0x1.b800000000000p+5,
-    0x1.3c00000000000p+6, 0x1.bc00000000000p+6, 0x1.3e00000000000p+7, 0x1.be00000000000p+7
+    0x0.0p+0, 0x1.ff80000000000p-2, 0x1.0000000000000p+0, 0x1.c000000000000p+0,
+    0x1.6000000000000p+1, 0x1.1000000000000p+2, 0x1.9000000000000p+2, 0x1.2800000000000p+3,
+    0x1.a800000000000p+3, 0x1.3400000000000p+4, 0x1.b400000000000p+4, 0x1.3a00000000000p+5,
+    0x1.ba00000000000p+5, 0x1.3d00000000000p+6, 0x1.bd00000000000p+6, 0x1.3e80000000000p+7
 };
 GS_TABLE(gs_flight_factor_c0) = {
-    0x1.0000000000000p+0, 0x1.a9b7e4077da87p-1, 0x1.7cdc9c677ef25p-1, 0x1.5a357cff17628p-1,
-    0x1.3dc46e7b8fbbbp-1, 0x1.2a647efc19859p-1, 0x1.1c6e78691c81ep-1, 0x1.13b12c0d89638p-1,
-    0x1.0d794354ff4d8p-1, 0x1.097b425ecfcdep-1, 0x1.0690690690690p-1, 0x1.04a7904a7904ap-1,
-    0x1.033d91d2a2068p-1, 0x1.024e6a171024ep-1, 0x1.019c2d14ee4a1p-1, 0x1.0125e22708093p-1
+    0x1.0000000000000p+0, 0x1.bfa5a8e9bc4c8p-1, 0x1.97f7c26efbf2bp-1, 0x1.72474a4528b73p-1,
+    0x1.540b06a25919bp-1, 0x1.3a873427d3db4p-1, 0x1.28bf7dbc164f5p-1, 0x1.1baa6783348acp-1,
+    0x1.1352114bd32e3p-1, 0x1.0d4c77a8f48a9p-1, 0x1.0964fda6bff93p-1, 0x1.0685b4fe5e92cp-1,
+    0x1.04a22c04a22c0p-1, 0x1.033af3e2ed6d0p-1, 0x1.024d166f9ac02p-1, 0x1.019b876f5262ep-1
 };
 GS_TABLE(gs_flight_factor_c0_lo) = {
-    0x0.0p+0, -0x1.f626e3bf6d23dp-56, 0x1.3e3ec840d4643p-55, -0x1.8c9b2674fc9d7p-55,
-    0x1.491b879215ccap-55, 0x1.3808a12f6a10fp-56, -0x1.b04e04067fb2cp-55, -0x1.fcc1ea2390f14p-57,
-    -0x1.21480b81829c5p-55, -0x1.573af643175f1p-58, 0x1.9075992bd9eafp-55, 0x1.e412c54d97028p-55,
-    -0x1.36e9788361fcap-55, 0x1.a85c510cc0a58p-55, 0x1.a12d631ba17cap-61, -0x1.dd8f42fa4c24ep-58
+    0x0.0p+0, 0x1.41f5387bf5c23p-56, -0x1.5cff52eee800bp-59, 0x1.e01930e9d2772p-58,
+    0x1.d328f17006c9dp-56, -0x1.8b0bc2fb281f2p-55, -0x1.d7aa5d7c45af3p-55, 0x1.cbda4cf22ff93p-58,
+    -0x1.9438f50133d5dp-59, -0x1.49cf6e26796b9p-57, -0x1.56d6a1b6308fap-56, 0x1.4e25b0915a611p-60,
+    0x1.288b010b36a46p-55, 0x1.69cab347dfb28p-55, 0x1.3459be6b00934p-55, -0x1.7b60da9ff323cp-56
 };
 GS_TABLE(gs_flight_factor_c1) = {
-    -0x1.5555555555555p-2, -0x1.397b760a6deecp-3, -0x1.6d68f732f5d01p-4, -0x1.a32e8f0550356p-5,
-    -0x1.b2ea654ecc535p-6, -0x1.b50db538b40e7p-7, -0x1.92ded59dc8116p-8, -0x1.83ba5c56b55ffp-9,
-    -0x1.6b147dfa8f32cp-10, -0x1.67980e08c827dp-11, -0x1.58b31509ee264p-12, -0x1.5aa2fe645e71fp-13,
-    -0x1.50073827b4da6p-14, -0x1.546b4b9161626p-15, -0x1.4bd091a7adf00p-16, -0x1.515f752155296p-17
+    -0x1.5555555555555p-2, -0x1.8764081fe9ea5p-3, -0x1.015f6fc66385dp-3, -0x1.39d4f6b012a67p-4,
+    -0x1.736334b48a3d3p-5, -0x1.8b2b4b48f0b4ep-6, -0x1.9580bfcf7d94dp-7, -0x1.7dac58f37119dp-8,
+    -0x1.753ee4a5fc160p-9, -0x1.61b5efd12299ep-10, -0x1.6106b37a1ad62p-11, -0x1.54528be59eb70p-12,
+    -0x1.5781be28037afp-13, -0x1.4de95797976cdp-14, -0x1.52e40fe15dda8p-15, -0x1.4ac6138c915e8p-16
 };
 GS_TABLE(gs_flight_factor_c1_lo) = {
-    -0x1.40d23152081f8p-56, -0x1.f565d678f50f6p-58, -0x1.d82c67f3a075ap-58, 0x1.9b5a46336afd9p-62,
-    0x1.282ab7194fdffp-60, 0x1.a6b93143daeb0p-61, -0x1.965621d255b5cp-63, 0x1.be4548ee6170ep-65,
-    -0x1.1b4cb35c9f050p-64, 0x1.1601a02c39f97p-71, 0x1.f9d3bdeab2685p-66, 0x1.cc00c4e9574fbp-67,
-    -0x1.7d30311b8e094p-69, -0x1.b250d5ea6d80dp-71, 0x1.31574e8ba77d3p-70, -0x1.e48dec2795b05p-71
+    -0x1.55315452f138ep-56, 0x1.a00f6b0887d06p-58, 0x1.e92149bb1f293p-57, 0x1.5f8d5f93c98ebp-58,
+    0x1.d019868ef1cf9p-59, 0x1.75487633dee65p-60, 0x1.8398be5a28a3fp-65, -0x1.9a9d5e60bfd2dp-64,
+    -0x1.4d9d6461fe606p-67, -0x1.7c7e8452e00c6p-64, -0x1.83266b423f02fp-65, 0x1.28756c36b8b8fp-66,
+    -0x1.dfbc337ba644fp-67, -0x1.823921c091bb5p-69, 0x1.8c1b920a13f09p-73, 0x1.25fba3aa0cdc5p-70
 };
 GS_TABLE(gs_flight_factor_c2) = {
-    0x1.c71c71c71c6f7p-3, 0x1.05142dc846454p-4, 0x1.ccf6c25002741p-6, 0x1.9fb6069c177bep-7,
-    0x1.531b70e2a45e1p-8, 0x1.09cf397454b69p-9, 0x1.60ced3135fdfbp-11, 0x1.dccd1c50a4a0bp-13,
-    0x1.31bfe3e697f46p-14, 0x1.aa2f78bf1c27dp-16, 0x1.1ad4948b6de78p-17, 0x1.935beb82c1ae7p-19,
-    0x1.1039b25a7f0e9p-20, 0x1.888e2da0ba19dp-22, 0x1.0b1f0c9a4ed49p-23, 0x1.834c4ac4afd3bp-25
+    0x1.c71c71c71c71cp-3, 0x1.71eab47b8aa4dp-4, 0x1.815b54d1a883dp-5, 0x1.710322b8ab587p-6,
+    0x1.5f68063f64ad0p-7, 0x1.29f42f19b9d6bp-8, 0x1.df1e461813a8bp-10, 0x1.45f4d49c9e58fp-11,
+    0x1.c265d94987df8p-13, 0x1.25fde0692157cp-14, 0x1.9e9016babd634p-16, 0x1.1575d8c8400f1p-17,
+    0x1.8de888de6c48fp-19, 0x1.0da84046bc81ep-20, 0x1.85ea35f0505efp-22, 0x1.09dd7fd6a9168p-23
 };
 GS_TABLE(gs_flight_factor_c3) = {
-    -0x1.4dbf86a3133d3p-3, -0x1.c2b3ddaf080c8p-6, -0x1.1dad21e05ae11p-7, -0x1.7f6da82628a0bp-9,
-    -0x1.dbf7eede10db3p-11, -0x1.2a5656cef2679p-12, -0x1.2d3812314e9e5p-14, -0x1.246ead5f291bep-16,
-    -0x1.017687cd88670p-18, -0x1.f91bcf99a7560p-21, -0x1.d021c5d11a489p-23, -0x1.d55cff6e431ecp-25,
-    -0x1.b912f39c5934cp-27, -0x1.c4ad2db26c833p-29, -0x1.ae1502949f1f8p-31, -0x1.bc9c75f9e68bbp-33
+    -0x1.4dbf86a314d3ap-3, -0x1.71606825af184p-5, -0x1.257e3c894012bp-6, -0x1.a39e02b01e703p-8,
+    -0x1.323df442b05bbp-9, -0x1.9468218a4ce0ap-11, -0x1.0690c9dc5e914p-12, -0x1.10317825904d0p-14,
+    -0x1.0f2b66130b128p-16, -0x1.e8b28885370b8p-19, -0x1.e6d37985a4cabp-21, -0x1.c46b5e37dcb9bp-23,
+    -0x1.cceced506af2cp-25, -0x1.b388e290f50d5p-27, -0x1.c09f051b664b3p-29, -0x1.ab6343a8aa7a6p-31
 };
 GS_TABLE(gs_flight_factor_c4) = {
-    0x1.06f3fd783f697p-3, 0x1.9ce137a8a9ac6p-7, 0x1.71b83cbea9da7p-9, 0x1.649f5ea7e65f4p-11,
-    0x1.3cc624618fcfep-13, 0x1.3450f75bee282p-15, 0x1.ecdc5e05c5148p-18, 0x1.6456c3c6d29f6p-20,
-    0x1.b18b5468a7383p-23, 0x1.2b52d2a0ffa9fp-25, 0x1.7cd3817d96874p-28, 0x1.111586a68d885p-30,
-    0x1.655367618b473p-33, 0x1.0500adf38f5acp-35, 0x1.5a3ac68158bc9p-38, 0x1.fe67d8f0f66b4p-41
+    0x1.06f3fd78b6ee9p-3, 0x1.89130acb2e452p-6, 0x1.d846bb2d896f5p-8, 0x1.ee9a376878a2ap-10,
+    0x1.0a4d6d2d705e4p-11, 0x1.0234a78652dafp-13, 0x1.094d8103daea3p-15, 0x1.b5376c5f67151p-18,
+    0x1.44a5dfbbc0b8dp-20, 0x1.9621219418a37p-23, 0x1.1dd7be358f792p-25, 0x1.70d9fb4930a6ap-28,
+    0x1.0af61c8fe145fp-30, 0x1.5fb9a602635f9p-33, 0x1.02154bffa7936p-35, 0x1.57853c6906699p-38
 };
 GS_TABLE(gs_flight_factor_c5) = {
-    -0x1.b1706c33a9e7fp-4, -0x1.8a3443eefe258p-8, -0x1.f2a93f59edad0p-11, -0x1.591d0e70d88a3p-13,
-    -0x1.a9183d4b6ba5dp-16, -0x1.2c9ad1d0384c4p-18, -0x1.7cc55e976acc5p-21, -0x1.ac43d137178eap-24,
-    -0x1.6cdb603d8b283p-27, -0x1.62c0cd6c6fe4ap-30, -0x1.387907c8ec033p-33, -0x1.3dc5443f7acd2p-36,
-    -0x1.217aa8014039bp-39, -0x1.2cf9dd597043bp-42, -0x1.16b9c80df6eecp-45, -0x1.24f7e065932eap-48
+    -0x1.b1706c59d6877p-4, -0x1.b443eb40b04aap-7, -0x1.8bea5623f9cc2p-9, -0x1.2fd7748a148c8p-11,
+    -0x1.e0cf79fd747c4p-14, -0x1.4976e5ff8a903p-16, -0x1.f76bf9f4d6dd9p-19, -0x1.4cabc32aafaf1p-21,
+    -0x1.7fef46efd6754p-24, -0x1.51614b3663020p-27, -0x1.4fab035649bcfp-30, -0x1.2cb83d5b50169p-33,
+    -0x1.353d85dd069adp-36, -0x1.1c0b05a48da16p-39, -0x1.28f0cf196a79ap-42, -0x1.141c524c3b3bap-45
 };
 GS_TABLE(gs_flight_factor_c6) = {
-    0x1.7053af9f427b8p-4, 0x1.82cb557fd6fd0p-9, 0x1.5933d692bef7dp-12, 0x1.5835c5164dd9ap-15,
-    0x1.287f4e51bb288p-18, 0x1.21e078c420313p-21, 0x1.142fec4e9dbd5p-24, 0x1.f6a7f6a9c586fp-28,
-    0x1.32ab0a5c3600ap-31, 0x1.a471d909644ffp-35, 0x1.00634e8aec07ap-38, 0x1.71c4f6fa88635p-42,
-    0x1.d5078b4a38ab0p-46, 0x1.5b124b5b6e3bep-49, 0x1.c0c4135b0f055p-53, 0x1.5052835327a8cp-56
+    0x1.7053b3506497ap-4, 0x1.f20bd84d1fea7p-8, 0x1.54dd8918062c3p-10, 0x1.7f53f0c2e5407p-13,
+    0x1.c042cac923c3ep-16, 0x1.b44ff08f1cb20p-19, 0x1.d416ea7372a22p-22, 0x1.dbdf332879843p-25,
+    0x1.bc5d60210f159p-28, 0x1.17f75410e868cp-31, 0x1.8a2d203bb6fe4p-35, 0x1.ea5871129ca35p-39,
+    0x1.66370c9575b1ep-42, 0x1.cac5153a3b29dp-46, 0x1.55a6095197d87p-49, 0x1.bbdb8b20ecaeap-53
 };
 GS_TABLE(gs_flight_factor_c7) = {
-    -0x1.40099e5676eb7p-4, -0x1.832b5752f5f16p-10, -0x1.e6ac526c5c3f0p-14, -0x1.5d1eb2cf9fcfap-17,
-    -0x1.a9ff05f1710c2p-21, -0x1.21a3cc4bfaa74p-24, -0x1.7ba27418c4a63p-28, -0x1.1cdde59f73e5ap-31,
-    -0x1.010425c8c1bd8p-35, -0x1.f24a328ad33c2p-40, -0x1.a4bd38948bd0dp-44, -0x1.ae46f0d90e66fp-48,
-    -0x1.7bf9264f925d3p-52, -0x1.9039ff4239ed7p-56, -0x1.69454b277e681p-60, -0x1.82178c6d3c73ap-64
+    -0x1.4009d9163b221p-4, -0x1.2236215cf66c7p-8, -0x1.2b317031f2100p-11, -0x1.ec2b657955fc9p-15,
+    -0x1.a92f3bbdab197p-18, -0x1.2abf0cb5c4682p-21, -0x1.c02005e377f77p-25, -0x1.41a78c5c95dcep-28,
+    -0x1.f1e3c3890ba2cp-32, -0x1.cf784cd075c81p-36, -0x1.cedfc9ec78a9fp-40, -0x1.8fc5acfce6b5cp-44,
+    -0x1.9ef2283165965p-48, -0x1.727d4120d514cp-52, -0x1.89167a716aa5fp-56, -0x1.64c228597f161p-60
 };
 GS_TABLE(gs_flight_factor_c8) = {
-    0x1.1acfa14ba65eap-4, 0x1.89890a3456cfbp-11, 0x1.5bf66aa585e2ep-15, 0x1.665fcba9c5bbfp-19,
-    0x1.355f9c5fb822bp-23, 0x1.2f5ded3bcdcc2p-27, 0x1.fda3ef1793a77p-32, 0x1.3498e3ba459b4p-35,
-    0x1.ac53530270fe3p-40, 0x1.274117591c017p-44, 0x1.5938d1d65a36cp-49, 0x1.f4afa42982d51p-54,
-    0x1.33d3955f34738p-58, 0x1.cd85c367b8be2p-63, 0x1.22d5962fbf1e3p-67, 0x1.bb3a07954c759p-72
+    0x1.1ad20b5fcacbfp-4, 0x1.5798574bf2117p-9, 0x1.0a916086b8616p-12, 0x1.405743b4ce800p-16,
+    0x1.97d7481f9838ep-20, 0x1.9e761c4504d08p-24, 0x1.c30640147f745p-28, 0x1.a55b707f56e69p-32,
+    0x1.0b338cd614dc1p-35, 0x1.7da7f7f72b699p-40, 0x1.0fc1c9aa58e01p-44, 0x1.45edcc4e3ea14p-49,
+    0x1.e0a94dd599812p-54, 0x1.2b32465cbc3acp-58, 0x1.c4459581eae2ap-63, 0x1.1ec03a26fad84p-67
 };
 GS_TABLE(gs_flight_factor_c9) = {
-    -0x1.fa588fdad9e10p-5, -0x1.94e3c56059636p-12, -0x1.f743dc54b45d3p-17, -0x1.73c4f5391679bp-21,
-    -0x1.c360d3cc4d9d0p-26, -0x1.45149d0a2a93bp-30, -0x1.5edfff508fa5cp-35, -0x1.3d5419957b863p-39,
-    -0x1.614a45936e518p-44, -0x1.5dd5988a6e77dp-49, -0x1.1b424edc675cep-54, -0x1.234eeb261d373p-59,
-    -0x1.f2c1c169a5ff3p-65, -0x1.0a1a62d4050a7p-69, -0x1.d442f507a46a9p-75, -0x1.fcd0f77c532e9p-80
+    -0x1.fa79f466bd079p-5, -0x1.9be6b9f61ec2ep-10, -0x1.e0a90709fd91cp-14, -0x1.a5b1053a3057ap-18,
+    -0x1.8b2f583f7a424p-22, -0x1.206a4ef90565bp-26, -0x1.d3f247afee6b8p-31, -0x1.180bcffbd03bap-35,
+    -0x1.109bb497de53bp-39, -0x1.3765e08a28433p-44, -0x1.3f0d3b7378e6fp-49, -0x1.09b8d4eead7c1p-54,
+    -0x1.166451f697321p-59, -0x1.e33d23c60099bp-65, -0x1.042ee293ebcf4p-69, -0x1.ccf4f450a2abep-75
 };
 GS_TABLE(gs_flight_factor_c10) = {
-    0x1.c93688446b125p-5, 0x1.a4b10b30a145cp-13, 0x1.6f4ff16980e2cp-18, 0x1.8517c442dcbbap-23,
-    0x1.4b80842989f12p-28, 0x1.5b193a38c6d0fp-33, 0x1.023f2c43e4563p-38, 0x1.35d8aebe32f0ap-43,
-    0x1.1ebc265774604p-48, 0x1.9e533e18ed0fep-54, 0x1.d0d38942eecc0p-60, 0x1.52f9fda6aae51p-65,
-    0x1.940c9bc2596a5p-71, 0x1.32db76a1177b1p-76, 0x1.78f589eaab892p-82, 0x1.240e41a97ba59p-87
+    0x1.c9c3484993b80p-5, 0x1.f2cc5d0ce95c9p-11, 0x1.b5894f8eca222p-15, 0x1.1815b8468c462p-19,
+    0x1.8253f09cc453ep-24, 0x1.93732f7635cf7p-29, 0x1.e57aa1077218ep-34, 0x1.8c0f9f72020d8p-39,
+    0x1.07e717d391749p-43, 0x1.f4ad0963cc496p-49, 0x1.766fe32c304fbp-54, 0x1.b1477212a698cp-60,
+    0x1.427b288019388p-65, 0x1.863fe9347e774p-71, 0x1.2b5b5661b4fe9p-76, 0x1.728090ee6d0c6p-82
 };
 GS_TABLE(gs_flight_factor_c11) = {
-    -0x1.9c9d61252e294p-5, -0x1.b8afb31a96cecp-14, -0x1.0e26010a5c6c7p-19, -0x1.9a29b8fbeaf78p-25,
-    -0x1.eaedcdfcecc29p-31, -0x1.6ee43b1cece2dp-36, -0x1.95566c884f957p-42, -0x1.2353b58afe302p-47,
-    -0x1.c6b85258e4474p-53, -0x1.ea3f521131837p-59, -0x1.7d65454ea5279p-65, -0x1.8a72069358eb5p-71,
-    -0x1.4754befea9a72p-77, -0x1.61da7af5ba364p-83, -0x1.2f76c5f87d361p-89, -0x1.4f4652444910bp-95
+    -0x1.9d8752743d60fp-5, -0x1.3093fc95b6ea2p-11, -0x1.9179b9f7db23ap-16, -0x1.76f08ca8935f0p-21,
+    -0x1.7c658c8269059p-26, -0x1.1c8d73495112ep-31, -0x1.f1520bb4d78f5p-37, -0x1.2cfc6b4e84b68p-42,
+    -0x1.e9ad608b5b8efp-48, -0x1.89f0ed595eec0p-53, -0x1.b71ade80e7ca6p-59, -0x1.617498caea6eap-65,
+    -0x1.759429c651b24p-71, -0x1.3b547dfd98c17p-77, -0x1.5873946ace7dep-83, -0x1.29f577f8ad4bdp-89
 };
 GS_TABLE(gs_flight_factor_c12) = {
-    0x1.6ba9fc588e294p-5, 0x1.d0d54d2da1bc2p-15, 0x1.9021236824cb8p-21, 0x1.b302f98496ca6p-27,
-    0x1.6e156385880ffp-33, 0x1.83ab1c5beb17dp-39, 0x1.4550f5b5bf89dp-45, 0x1.1195d785ffe38p-51,
-    0x1.5d90aa7f9cc76p-57, 0x1.2187bb511d6b6p-63, 0x1.392dfc41c53b8p-70, 0x1.cb0826f8fdbaep-77,
-    0x1.095e2fcbd266fp-83, 0x1.9814de75eb37bp-90, 0x1.e8edec825b839p-97, 0x1.80ebba273b870p-103
+    0x1.67d1fd03020a8p-5, 0x1.768987877f98ap-12, 0x1.72dcb5aa30a6cp-17, 0x1.f905f19945c8dp-23,
+    0x1.78c4ac463eec7p-28, 0x1.943725da2539cp-34, 0x1.faac1a2797656p-40, 0x1.d998fb632a7e4p-46,
+    0x1.c0cad828b356ep-52, 0x1.2ceaecd1a640ep-57, 0x1.0107ca7cac7eep-63, 0x1.202aa7236a4dap-70,
+    0x1.b0be29707c9a7p-77, 0x1.fd4d839e70aa4p-84, 0x1.8c500e4969d7ap-90, 0x1.defab99fd512ap-97
 };
 GS_TABLE(gs_flight_factor_c13) = {
-    -0x1.2a92c510e7f33p-5, -0x1.ed27d4e264a16p-16, -0x1.29d714eef6b45p-22, -0x1.cfbf1c6db11f7p-29,
-    -0x1.121d0c24e2e10p-35, -0x1.9de18d3bad286p-42, -0x1.ff31ad768b5b3p-49, -0x1.102d1355e669cp-55,
-    -0x1.025a6bf9cfda6p-61, -0x1.54d047301ffbbp-68, -0x1.00f71bdfe7125p-75, -0x1.0b12b4ed3a221p-82,
-    -0x1.adf694bba9286p-90, -0x1.d6949b0dbe856p-97, -0x1.899a813707a8bp-104, -0x1.b9e1d6d93c4cep-111
+    -0x1.0ce5acfddca5bp-5, -0x1.cd0de251c791bp-13, -0x1.580980ac44a65p-18, -0x1.538015e740e1cp-24,
+    -0x1.76573bc8fad7cp-30, -0x1.1de351d5cd355p-36, -0x1.0395e7bd42233p-42, -0x1.6cb963546428bp-49,
+    -0x1.abea3c8ce3175p-56, -0x1.b84ae13c3d674p-62, -0x1.2affd1062f149p-68, -0x1.ceaaba555d846p-76,
+    -0x1.f37be9bd48a33p-83, -0x1.953dcbcb765b2p-90, -0x1.c665a1e6cb6e1p-97, -0x1.7b6f227cf9f2fp-104
 };
 GS_TABLE(gs_flight_factor_c14) = {
-    0x1.a75f8c863834ap-6, 0x1.0622c87582606p-16, 0x1.b7e747e41a3f2p-24, 0x1.ef1b318e820cdp-31,
-    0x1.96c12d8e0c67ap-38, 0x1.bdc30bec605dep-45, 0x1.7d28c88c5d3bdp-52, 0x1.2bb359d6b6502p-59,
-    0x1.6a4620e27cb1ap-66, 0x1.8d7d24091e7c8p-73, 0x1.9e0f92e9a6d5fp-81, 0x1.357bed591344fp-88,
-    0x1.565d2c041f089p-96, 0x1.0e3d63ee62c82p-103, 0x1.3796a9b20a196p-111, 0x1.f947cf5a20134p-119
+    0x1.ed7267c30c61bp-7, 0x1.1ec9fbce3044bp-13, 0x1.4136ccbf3eb4cp-19, 0x1.cde87ec70b151p-26,
+    0x1.765496d1ee309p-32, 0x1.996edeaad6a4fp-39, 0x1.0e5655489a953p-45, 0x1.106401f8632bep-52,
+    0x1.c4d35c7ce0cf6p-60, 0x1.3600a93877e0fp-66, 0x1.5b4b80672147dp-73, 0x1.7933f1e64fb9ep-81,
+    0x1.214b3e65e7ec3p-88, 0x1.4742dd1bd4addp-96, 0x1.0567ea152ad17p-103, 0x1.30fa147c90a32p-111
 };
 GS_TABLE(gs_flight_factor_c15) = {
-    -0x1.d2c9528926d12p-7, -0x1.18bdb7f6b5291p-17, -0x1.4a57b3be30083p-25, -0x1.0a24ec4056feep-32,
-    -0x1.32ca0590a39bfp-40, -0x1.e44c34cba4e43p-48, -0x1.159bc40ba138cp-55, -0x1.6da7ba44fb08ep-63,
-    -0x1.e51d378f654a6p-71, -0x1.cd6cb273d80c2p-78, -0x1.53bb69370529ep-86, -0x1.68207f38a4d23p-94,
-    -0x1.155baf0019248p-102, -0x1.37a0bd09ab917p-110, -0x1.f5ad58102a057p-119, -0x1.2206c760809e0p-126
+    0x1.2a492f351a8c4p-9, -0x1.8ff3405b58931p-14, -0x1.401f050af5911p-20, -0x1.68cb60b3de90fp-27,
+    -0x1.930e9dc66912ap-34, -0x1.5594020481f1ep-41, -0x1.327ff2cd774d0p-48, -0x1.c3137daebb4dcp-56,
+    -0x1.292d60597e7f6p-63, -0x1.cdd96e5ee2164p-71, -0x1.b4f1db3eab654p-78, -0x1.7566d17f401a4p-86,
+    -0x1.6fe409f7f1ca8p-94, -0x1.3fa9a9161a7d4p-102, -0x1.49c06143028aap-110, -0x1.27e90505cbdcdp-118
 };
 GS_TABLE(gs_flight_factor_c16) = {
-    0x1.5766a1289c8e7p-8, 0x1.48dc46e9729ddp-18, 0x1.28ff069b9a721p-26, 0x1.3901bf00ffeb2p-34,
-    0x1.155675ef0ba70p-42, 0x1.1ec759d8c8705p-50, 0x1.df1e6f455f3b6p-59, 0x1.01a51a9ce0684p-66,
-    0x1.5a6cfed02b47bp-75, 0x1.216e961ba6be9p-82, 0x1.57b57a16bc6cbp-91, 0x1.cf26e44ed8e58p-100,
-    0x1.138f41420bfe7p-108, 0x1.8c6b61ee2f08bp-117, 0x1.ede3284ba673dp-126, 0x1.6ef285f5e3c9ep-134
-};
-GS_TABLE(gs_flight_factor_c17) = {
-    -0x1.ecec2fe349025p-11, -0x1.62fa005c4bddcp-19, -0x1.c1a977baaf68bp-28, -0x1.52e83f6a6ed02p-36,
-    -0x1.a574b51232d68p-45, -0x1.373f0a1ed1246p-53, -0x1.66b504277e658p-62, -0x1.3c2a772e8c729p-70,
-    -0x1.adea9f11e2e08p-80, -0x1.446bedf6eb957p-87, -0x1.19ddb0f0b90b2p-96, -0x1.0d785ee349199p-105,
-    -0x1.be79ee98612fap-115, -0x1.c921e1f011562p-124, -0x1.8d984714a6336p-133, -0x1.a53fbd5f27efdp-142
+    -0x1.8428cf52a6eecp-8, 0x1.f34c361c12b8ep-15, 0x1.2d735ec3be873p-21, 0x1.ef249438636c3p-29,
+    0x1.9633078a2e329p-36, 0x1.ecff905aa3f3cp-44, 0x1.423e7340d9bb6p-51, 0x1.3f1289cc55414p-59,
+    0x1.70a4977dda7aep-67, 0x1.23a9cdc3d90c2p-75, 0x1.efe2c9b1b9b4ep-83, 0x1.305c562ade0b6p-91,
+    0x1.aa276db1a29c4p-100, 0x1.02267d3e443a9p-108, 0x1.7b664308a400bp-117, 0x1.dbafa79f3871dp-126
 };
 
 static inline gs_v gs_flight_factor_near(gs_v x, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 2046, 51);
+    const gs_v u = gs_add(x, gs_v_of(0x1.8000000000000p-1));
+    const gs_index i = gs_piece(u, 2045, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
-    const gs_v q17 = gs_pick(gs_flight_factor_c17, i);
-    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_flight_factor_c16, i));
+    const gs_v q16 = gs_pick(gs_flight_factor_c16, i);
     const gs_v q15 = gs_fma(q16, d, gs_pick(gs_flight_factor_c15, i));
     const gs_v q14 = gs_fma(q15, d, gs_pick(gs_flight_factor_c14, i));
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_factor_c13, i));
@@ -1203,11 +1196,10 @@ static inline gs_v gs_flight_factor_near(gs_v x, gs_v *lo)
 /* The same at x + x_lo, |x_lo| no more than half an ulp of x. */
 static inline gs_v gs_flight_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 2046, 51);
+    const gs_v u = gs_add(x, gs_v_of(0x1.8000000000000p-1));
+    const gs_index i = gs_piece(u, 2045, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
-    const gs_v q17 = gs_pick(gs_flight_factor_c17, i);
-    const gs_v q16 = gs_fma(q17, d, gs_pick(gs_flight_factor_c16, i));
+    const gs_v q16 = gs_pick(gs_flight_factor_c16, i);
     const gs_v q15 = gs_fma(q16, d, gs_pick(gs_flight_factor_c15, i));
     const gs_v q14 = gs_fma(q15, d, gs_pick(gs_flight_factor_c14, i));
     const gs_v q13 = gs_fma(q14, d, gs_pick(gs_flight_factor_c13, i));
@@ -1242,7 +1234,7 @@ static inline gs_v gs_flight_factor_near_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* x >= 255.0 */
+/* x >= 191.25 */
 static inline gs_v gs_flight_factor_far(gs_v x)
 {
     const gs_v y = gs_div(gs_v_of(0x1.0000000000000p-1), x);
@@ -1253,8 +1245,8 @@ static inline gs_v gs_flight_factor_far(gs_v x)
 static GS_RARE gs_v gs_flight_factor_outside(gs_v x, gs_v r, gs_v *lo)
 {
     gs_v tail, rest;
-    const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
-    tail = gs_flight_factor_far(gs_select(beyond, x, gs_v_of(0x1.fe00000000000p+7)));
+    const gs_mask beyond = gs_at_least(x, gs_v_of(0x1.7e80000000000p+7));
+    tail = gs_flight_factor_far(gs_select(beyond, x, gs_v_of(0x1.7e80000000000p+7)));
     rest = gs_v_of(0.0);
     *lo = gs_select(beyond, rest, *lo);
     return gs_refuse_negative(x, gs_select(beyond, tail, r), lo);
@@ -1263,7 +1255,7 @@ static GS_RARE gs_v gs_flight_factor_outside(gs_v x, gs_v r, gs_v *lo)
 /* T/(2 b) with T = (1 + b)(1 - exp(-T)): the nearest double but for a little, and the rest. */
 static inline gs_v gs_flight_factor_value(gs_v x, gs_v *lo)
 {
-    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.fe00000000000p+7));
+    const gs_mask here = gs_within(x, gs_v_of(0x0.0p+0), gs_v_of(0x1.7e80000000000p+7));
     const gs_v r = gs_flight_factor_near(gs_select(here, x, gs_v_of(0x0.0p+0)), lo);
     return gs_all(here) ? r : gs_flight_factor_outside(x, r, lo);
 }

@@ -404,7 +404,7 @@ static inline gs_vp gs_vp_flight_factor_served0(gs_mask here, gs_vp x)
 }
 static inline gs_vp gs_vp_flight_factor_served1(gs_mask here, gs_vp x)
 {
-    const gs_v least = gs_v_of(0x1.fe00000000000p+7), zero = gs_v_of(0.0);
+    const gs_v least = gs_v_of(0x1.7e80000000000p+7), zero = gs_v_of(0.0);
     gs_vp r;
     r.hi = gs_flight_factor_range1_pair(gs_select(here, x.hi, least), gs_select(here, x.lo, zero), &r.lo);
     return r;
@@ -416,7 +416,7 @@ static GS_RARE void gs_vp_flight_factor_aside(gs_aside *aside)
         const gs_vp x = gs_vp_aside(aside, i);
         gs_vp r = x;
         gs_mask here;
-        here = gs_at_least(x.hi, gs_v_of(0x1.fe00000000000p+7));
+        here = gs_at_least(x.hi, gs_v_of(0x1.7e80000000000p+7));
         if (gs_bits_of(here))
             r = gs_vp_select(here, gs_vp_flight_factor_served1(here, x), r);
         gs_vp_put(aside, i, r);
@@ -428,7 +428,7 @@ static inline void gs_vp_flight_factor_each(size_t block, const gs_vp *x, gs_vp 
     gs_aside aside;
     aside.count = 0;
     for (size_t i = 0; i < block; i++) {
-        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.fe00000000000p+7));
+        const gs_mask here = gs_less(x[i].hi, gs_v_of(0x1.7e80000000000p+7));
         value[i] = gs_vp_flight_factor_served0(here, x[i]);
         if (!gs_all(here))
             gs_vp_put_aside(&aside, gs_not(here), i, x[i]);

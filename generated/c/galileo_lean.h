@@ -359,76 +359,76 @@ static inline gs_v gs_descent_factor_lean(gs_v x)
 }
 
 GS_TABLE(gs_flight_factor_lean0) = {
-    0x1.0000000000000p+0, 0x1.a9b7e4077da87p-1, 0x1.7cdc9c677ef25p-1, 0x1.5a357cff17628p-1,
-    0x1.3dc46e7b8fbbbp-1, 0x1.2a647efc19859p-1, 0x1.1c6e78691c81ep-1, 0x1.13b12c0d89638p-1,
-    0x1.0d794354ff4d8p-1, 0x1.097b425ecfcdep-1, 0x1.0690690690690p-1, 0x1.04a7904a7904ap-1,
-    0x1.033d91d2a2068p-1, 0x1.024e6a171024ep-1, 0x1.019c2d14ee4a1p-1, 0x1.0125e22708093p-1
+    0x1.0000000000000p+0, 0x1.bfa5a8e9bc4e4p-1, 0x1.97f7c26efbf2bp-1, 0x1.72474a4528b73p-1,
+    0x1.540b06a25919bp-1, 0x1.3a873427d3db4p-1, 0x1.28bf7dbc164f5p-1, 0x1.1baa6783348acp-1,
+    0x1.1352114bd32e3p-1, 0x1.0d4c77a8f48a9p-1, 0x1.0964fda6bff93p-1, 0x1.0685b4fe5e92cp-1,
+    0x1.04a22c04a22c0p-1, 0x1.033af3e2ed6d0p-1, 0x1.024d166f9ac02p-1, 0x1.019b876f5262ep-1
 };
 GS_TABLE(gs_flight_factor_lean1) = {
-    -0x1.555555551aec0p-2, -0x1.397b760a77dedp-3, -0x1.6d68f7348eb9bp-4, -0x1.a32e8f0562b77p-5,
-    -0x1.b2ea6551b4577p-6, -0x1.b50db538d52a2p-7, -0x1.92ded5a2a3254p-8, -0x1.83ba5c56e9889p-9,
-    -0x1.6b147e05556b2p-10, -0x1.67980e0921a4ap-11, -0x1.58b31513259a0p-12, -0x1.5aa2fe64a655ep-13,
-    -0x1.5007382f97c48p-14, -0x1.546b4b91a1ceep-15, -0x1.4bd091aefae9ep-16, -0x1.515f7521922bep-17
+    -0x1.5555555555310p-2, -0x1.8764082021a60p-3, -0x1.015f6fc665c2ap-3, -0x1.39d4f6b09e25dp-4,
+    -0x1.736334b492c47p-5, -0x1.8b2b4b4a9bf48p-6, -0x1.9580bfcf93f0ap-7, -0x1.7dac58f708d63p-8,
+    -0x1.753ee4a627cecp-9, -0x1.61b5efda75529p-10, -0x1.6106b37a6ae69p-11, -0x1.54528bee24b4bp-12,
+    -0x1.5781be284786dp-13, -0x1.4de9579f2dce4p-14, -0x1.52e40fe19c8b9p-15, -0x1.4ac61393bac84p-16
 };
 GS_TABLE(gs_flight_factor_lean2) = {
-    0x1.c71c711029314p-3, 0x1.05142dc850c20p-4, 0x1.ccf6c25260736p-6, 0x1.9fb6069c2b1f2p-7,
-    0x1.531b70e4cf616p-8, 0x1.09cf397466390p-9, 0x1.60ced3173ec3bp-11, 0x1.dccd1c50d5f7bp-13,
-    0x1.31bfe3eecebf9p-14, 0x1.aa2f78bf85c95p-16, 0x1.1ad49492fdde9p-17, 0x1.935beb831555fp-19,
-    0x1.1039b260e2a58p-20, 0x1.888e2da104644p-22, 0x1.0b1f0ca02f6d3p-23, 0x1.834c4ac4f5dd7p-25
+    0x1.c71c71c63916fp-3, 0x1.71eab47b9afc9p-4, 0x1.815b54d1aca6ap-5, 0x1.710322b967647p-6,
+    0x1.5f68063f6d205p-7, 0x1.29f42f1ae9851p-8, 0x1.df1e46182a75fp-10, 0x1.45f4d49f6e0aap-11,
+    0x1.c265d949b0301p-13, 0x1.25fde07032742p-14, 0x1.9e9016bb1b127p-16, 0x1.1575d8cf32ff4p-17,
+    0x1.8de888debb1b9p-19, 0x1.0da8404cdd1e2p-20, 0x1.85ea35f098806p-22, 0x1.09dd7fdc6ab9ep-23
 };
 GS_TABLE(gs_flight_factor_lean3) = {
-    -0x1.4dbf56ed81702p-3, -0x1.c2b3dd4bbdca7p-6, -0x1.1dad1de3d650ap-7, -0x1.7f6da7c9b344fp-9,
-    -0x1.dbf7e79d4645fp-11, -0x1.2a56567c3fc4ep-12, -0x1.2d380c227aedep-14, -0x1.246eacdcdc67ap-16,
-    -0x1.01767a5bc71fbp-18, -0x1.f91bcddab39dcp-21, -0x1.d021aed2e1b8ep-23, -0x1.d55cfe0730babp-25,
-    -0x1.b912dfef6a064p-27, -0x1.c4ad2c70a3977p-29, -0x1.ae14f05da4eb3p-31, -0x1.bc9c74c92a8d9p-33
+    -0x1.4dbf862d2c7c1p-3, -0x1.7160670f2d925p-5, -0x1.257e3c72e3315p-6, -0x1.a39dfff7a048bp-8,
+    -0x1.323df41814814p-9, -0x1.94681d5fdf24bp-11, -0x1.0690c9a484b1ap-12, -0x1.103173aa0f9b4p-14,
+    -0x1.0f2b65a5d09ddp-16, -0x1.e8b27140b95c7p-19, -0x1.e6d377f5c0183p-21, -0x1.c46b48f43415fp-23,
+    -0x1.ccecebfc8b07dp-25, -0x1.b388cfa2e46e8p-27, -0x1.c09f03e243febp-29, -0x1.ab6331ca609c6p-31
 };
 GS_TABLE(gs_flight_factor_lean4) = {
-    0x1.06ef1d626bfc9p-3, 0x1.9ce1373fe215ap-7, 0x1.71b836d64eb2fp-9, 0x1.649f5e45cca25p-11,
-    0x1.3cc61ef8784e9p-13, 0x1.3450f70476153p-15, 0x1.ecdc545d14876p-18, 0x1.6456c34b94becp-20,
-    0x1.b18b3fe817881p-23, 0x1.2b52d19934796p-25, 0x1.7cd36e9fd7248p-28, 0x1.111585d5a3556p-30,
-    0x1.65535770f175ap-33, 0x1.0500ad3a06af1p-35, 0x1.5a3ab7d7764b3p-38, 0x1.fe67d79321ed2p-41
+    0x1.06f3e5a1a7a9cp-3, 0x1.891309ee5aeffp-6, 0x1.d846bb04349b0p-8, 0x1.ee9a33bd9770cp-10,
+    0x1.0a4d6d033835cp-11, 0x1.0234a49055897p-13, 0x1.094d80cae5ee8p-15, 0x1.b537655b6365dp-18,
+    0x1.44a5df570c299p-20, 0x1.96210ff084881p-23, 0x1.1dd7bd4b98ee3p-25, 0x1.70d9e9f312911p-28,
+    0x1.0af61bcb078c1p-30, 0x1.5fb996b8d8c72p-33, 0x1.02154b4b83bc8p-35, 0x1.57852e0c5c1edp-38
 };
 GS_TABLE(gs_flight_factor_lean5) = {
-    -0x1.b0ed34a52f240p-4, -0x1.8a34cea081e73p-8, -0x1.f2aecdbe30134p-11, -0x1.591d8f96a518bp-13,
-    -0x1.a91d4b36f1172p-16, -0x1.2c9b4553d74c6p-18, -0x1.7cc996bf45551p-21, -0x1.ac44874950778p-24,
-    -0x1.6ce4bea795de8p-27, -0x1.62c2056af391cp-30, -0x1.388108d36f794p-33, -0x1.3dc63eea31577p-36,
-    -0x1.218181a449134p-39, -0x1.2cfabdff4d576p-42, -0x1.16c01f9a9d385p-45, -0x1.24f8b52573ca7p-48
+    -0x1.b16b7efb711fcp-4, -0x1.b445703703507p-7, -0x1.8bea94a5fe9a3p-9, -0x1.2fd95a4c0e4b3p-11,
+    -0x1.e0cff10eed461p-14, -0x1.4979cd752a3a3p-16, -0x1.f76c96029abdbp-19, -0x1.4caee286f5fedp-21,
+    -0x1.7fefdf953b6bcp-24, -0x1.516966b905e93p-27, -0x1.4fac1a7ed8c23p-30, -0x1.2cbfa47b46521p-33,
+    -0x1.353e732281979p-36, -0x1.1c119ce4ee1eep-39, -0x1.28f1a9b5e67c5p-42, -0x1.14228b00e37a9p-45
 };
 GS_TABLE(gs_flight_factor_lean6) = {
-    0x1.6c4ad2b38bbdbp-4, 0x1.82cbe7db81392p-9, 0x1.5937f47d0b3dbp-12, 0x1.58364e1ce50eap-15,
-    0x1.288313807825bp-18, 0x1.21e0f2f05bfeap-21, 0x1.143349ace829ep-24, 0x1.f6a8a2d034086p-28,
-    0x1.32b22fca669afp-31, 0x1.a47349541c085p-35, 0x1.0069dfd5ab4e3p-38, 0x1.71c61aaa1d7c4p-42,
-    0x1.d512a4af7328fp-46, 0x1.5b134e69490adp-49, 0x1.c0ce496cdceecp-53, 0x1.5053778ede77fp-56
+    0x1.700828e32f2a9p-4, 0x1.f20d556aa4331p-8, 0x1.54ddc2db5d5aap-10, 0x1.7f567f8b31636p-13,
+    0x1.c04340c372691p-16, 0x1.b454116300122p-19, 0x1.d417899663b6ap-22, 0x1.dbe416959e035p-25,
+    0x1.bc5decd304ec1p-28, 0x1.17fd7a0d4b765p-31, 0x1.8a2e66e455ae2p-35, 0x1.ea64833226b81p-39,
+    0x1.66381f6ea1b27p-42, 0x1.cacfba60cbb3ep-46, 0x1.55a704d830e1ep-49, 0x1.bbe58b7592a74p-53
 };
 GS_TABLE(gs_flight_factor_lean7) = {
-    -0x1.2c25d383e9aa4p-4, -0x1.82dc7240234bcp-10, -0x1.e5198b10ead6ap-14, -0x1.5cd53cb4334dfp-17,
-    -0x1.a890aa43787c3p-21, -0x1.2162175bee040p-24, -0x1.7a70efd969f2ep-28, -0x1.1caa13814b028p-31,
-    -0x1.ff61387c485d8p-36, -0x1.f198ea2223af1p-40, -0x1.a27a22a1656f8p-44, -0x1.adb87c5ed7472p-48,
-    -0x1.7a0969acfb1edp-52, -0x1.8fba50f3b836dp-56, -0x1.677a4517b1ec8p-60, -0x1.819e9fd810189p-64
+    -0x1.3d3f05821ceddp-4, -0x1.21c79c051fa59p-8, -0x1.2b0dd7e94bb2bp-11, -0x1.eb17dd68a5780p-15,
+    -0x1.a8eb772d946afp-18, -0x1.29ec5ed63ae1cp-21, -0x1.bfc73a1a9b124p-25, -0x1.40c56219ce205p-28,
+    -0x1.f18cd9dfed20fp-32, -0x1.cd2c982b3d11fp-36, -0x1.ce41260194c9dp-40, -0x1.8dae00f242bc5p-44,
+    -0x1.9e6b4ec4765e0p-48, -0x1.70a03e3a8ab22p-52, -0x1.889a399fb1b9fp-56, -0x1.62ffd4cbce210p-60
 };
 GS_TABLE(gs_flight_factor_lean8) = {
-    0x1.b62cc39d823bep-5, 0x1.8935c9fac6141p-11, 0x1.5acc0060500c3p-15, 0x1.6611db367bbebp-19,
-    0x1.344e58b63870fp-23, 0x1.2f1870699af4bp-27, 0x1.fbbc60b638422p-32, 0x1.3467ed15ba3b3p-35,
-    0x1.aa4cf5a0f4068p-40, 0x1.26d872f0b9e19p-44, 0x1.575da694442c6p-49, 0x1.f409dfd96a4eap-54,
-    0x1.3241f4654018fp-58, 0x1.ccf286dd15010p-63, 0x1.21640a8a384a8p-67, 0x1.baaf35c6ac4ecp-72
+    0x1.0a13881579b93p-4, 0x1.572005a5ab1fap-9, 0x1.0a707c3f9908bp-12, 0x1.3f9d934ec41dep-16,
+    0x1.9794231a62e5ep-20, 0x1.9d4aa66be58cap-24, 0x1.c2abb561fae7fp-28, 0x1.a3f931ef90ef8p-32,
+    0x1.0b0b84d738473p-35, 0x1.7be9f58bfd45dp-40, 0x1.0f64f7697c324p-44, 0x1.443912f4fe29ep-49,
+    0x1.e00d1936fab4cp-54, 0x1.29b10de9d3568p-58, 0x1.c3b69f7ec9089p-63, 0x1.1d5644f5cbdbdp-67
 };
 GS_TABLE(gs_flight_factor_lean9) = {
-    -0x1.d68a707106748p-6, -0x1.a86b8468dd2cep-12, -0x1.14523d956cefdp-16, -0x1.85f3e6bbda458p-21,
-    -0x1.f0479be33c27bp-26, -0x1.55583e1f679bfp-30, -0x1.843bcfaddf696p-35, -0x1.4a2d1a1055e88p-39,
-    -0x1.8ae6c01468a50p-44, -0x1.73b9b4f0ac419p-49, -0x1.3e9a3dbcda7aep-54, -0x1.34e775874a900p-59,
-    -0x1.17a72a578dcc2p-64, -0x1.19e09f55daff5p-69, -0x1.062be31f77ed8p-74, -0x1.0d596c050adddp-79
+    -0x1.7b654acb62447p-5, -0x1.b72e9d800a155p-10, -0x1.f252e318a877cp-14, -0x1.c795885778e51p-18,
+    -0x1.9bfb02472f65fp-22, -0x1.3a48c512e3563p-26, -0x1.e9f113f5ee2acp-31, -0x1.33b88a8c114e6p-35,
+    -0x1.1b6347aaf5954p-39, -0x1.5b6b1d74807e0p-44, -0x1.52a51ee6223c6p-49, -0x1.2a6d9c03cd817p-54,
+    -0x1.270cdca74ce7ep-59, -0x1.0ec1b9c9a617bp-64, -0x1.1388f40b83703p-69, -0x1.01fdddb538b69p-74
 };
 GS_TABLE(gs_flight_factor_lean10) = {
-    0x1.03a649fd022eep-7, 0x1.b94c50e361abcp-13, 0x1.93e3f41c2832fp-18, 0x1.9862041f77a6ep-23,
-    0x1.6cfd85eb7db73p-28, 0x1.6c4b81e894dd2p-33, 0x1.2018725545a61p-38, 0x1.41f7b99a85ff8p-43,
-    0x1.3e8d0cb8ac05cp-48, 0x1.b82bcb51db119p-54, 0x1.056acf0a7ce71p-59, 0x1.6773bbf5d630cp-65,
-    0x1.c51bcff250af4p-71, 0x1.450c3fcf66a0ap-76, 0x1.a61cccad07ef2p-82, 0x1.35354aa435cd4p-87
+    0x1.40d284a007fe7p-6, 0x1.094f5af33cdf6p-10, 0x1.c5db6ef6fa9f9p-15, 0x1.2eec239fe1061p-19,
+    0x1.92f7b59cdb223p-24, 0x1.b83700d4db6afp-29, 0x1.fbe6f9cd1f762p-34, 0x1.b7747c2f12d62p-39,
+    0x1.11d206dcbe771p-43, 0x1.15b758364fa36p-48, 0x1.8d5e2299ba7f9p-54, 0x1.e69bcfa15243ap-60,
+    0x1.55c7147300f34p-65, 0x1.b54f81ad0f7e5p-71, 0x1.3d051fb133b45p-76, 0x1.9ebb1001f6b29p-82
 };
 
 static inline gs_v gs_flight_factor_lean(gs_v x)
 {
-    const gs_v u = gs_add(x, gs_v_of(0x1.0000000000000p+0));
-    const gs_index i = gs_piece(u, 2046, 51);
+    const gs_v u = gs_add(x, gs_v_of(0x1.8000000000000p-1));
+    const gs_index i = gs_piece(u, 2045, 51);
     const gs_v d = gs_sub(x, gs_pick(gs_flight_factor_centre, i));
     const gs_v q10 = gs_pick(gs_flight_factor_lean10, i);
     const gs_v q9 = gs_fma(q10, d, gs_pick(gs_flight_factor_lean9, i));

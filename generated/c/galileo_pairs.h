@@ -1170,7 +1170,7 @@ static inline gs_v gs_descent_factor_pair(gs_v x, gs_v x_lo, gs_v *lo)
 }
 #endif
 
-/* x in [0.0, 255.0) */
+/* x in [0.0, 191.25) */
 static inline gs_v gs_flight_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     gs_v f_lo;
@@ -1180,7 +1180,7 @@ static inline gs_v gs_flight_factor_range0_pair(gs_v x, gs_v x_lo, gs_v *lo)
     return r;
 }
 
-/* x in [255.0, inf] */
+/* x in [191.25, inf] */
 static inline gs_v gs_flight_factor_range1_pair(gs_v x, gs_v x_lo, gs_v *lo)
 {
     const gs_v y_q = gs_div(gs_v_of(0x1.0000000000000p-1), x);
@@ -1212,7 +1212,7 @@ static inline gs_v gs_flight_factor_pair(gs_v x, gs_v x_lo, gs_v *lo)
         *lo = gs_v_of(0.0);
         return gs_refuse_beyond(x, gs_v_of(INFINITY), gs_v_of(-INFINITY), x, lo);
     }
-    if (gs_at_least(m, gs_v_of(0x1.fe00000000000p+7)))
+    if (gs_at_least(m, gs_v_of(0x1.7e80000000000p+7)))
         r = gs_flight_factor_range1_pair(m, m_lo, lo);
     else
         r = gs_flight_factor_range0_pair(m, m_lo, lo);

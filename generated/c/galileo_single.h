@@ -271,7 +271,7 @@ static inline gs_v gs_s_flight_factor_served0(gs_mask here, gs_v x)
 }
 static inline gs_v gs_s_flight_factor_served1(gs_mask here, gs_v x)
 {
-    return gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.fe00000000000p+7)));
+    return gs_flight_factor_range1_lean(gs_select(here, x, gs_v_of(0x1.7e80000000000p+7)));
 }
 static GS_RARE void gs_s_flight_factor_aside(gs_aside *aside)
 {
@@ -280,7 +280,7 @@ static GS_RARE void gs_s_flight_factor_aside(gs_aside *aside)
         const gs_v x = gs_s_aside(aside, i);
         gs_v r = x;
         gs_mask here;
-        here = gs_at_least(x, gs_v_of(0x1.fe00000000000p+7));
+        here = gs_at_least(x, gs_v_of(0x1.7e80000000000p+7));
         if (gs_bits_of(here))
             r = gs_select(here, gs_s_flight_factor_served1(here, x), r);
         gs_s_put(aside, i, r);
@@ -292,7 +292,7 @@ static inline void gs_s_flight_factor_each(size_t block, const gs_v *x, gs_v *va
     gs_aside aside;
     aside.count = 0;
     for (size_t i = 0; i < block; i++) {
-        const gs_mask here = gs_less(x[i], gs_v_of(0x1.fe00000000000p+7));
+        const gs_mask here = gs_less(x[i], gs_v_of(0x1.7e80000000000p+7));
         value[i] = gs_s_flight_factor_served0(here, x[i]);
         if (!gs_all(here))
             gs_s_put_aside(&aside, gs_not(here), i, x[i]);

@@ -259,7 +259,7 @@ static GS_RARE void gs_flight_factor_mixed_single(size_t n, const float *x, floa
         length1 = gs_append(part1, length1, in1, v);
     }
     GS_SERVE(gs_flight_factor_any_single, gs_v_of(0x0.0p+0), part0, length0);
-    GS_SERVE(gs_flight_factor_kind1_single, gs_v_of(0x1.fe00000000000p+7), part1, length1);
+    GS_SERVE(gs_flight_factor_kind1_single, gs_v_of(0x1.7e80000000000p+7), part1, length1);
     for (size_t i = 0; i < n; i += GS_LANES) {
         const gs_v v = gs_v_widen(x + i);
         const gs_mask in1 = gs_flight_factor_is_kind1(v);
