@@ -41,8 +41,8 @@ def test_float64(name):
     x = _good(name)
     function = getattr(special, name)
     expected = getattr(emitted, name)(x)[0]
-    assert np.array_equal(function(x), expected)
-    assert np.array_equal([function(float(v)) for v in x[:20]], expected[:20])
+    np.testing.assert_array_max_ulp(function(x), expected, 1)  # C has a multiply-add, NumPy has none
+    assert np.array_equal([function(float(v)) for v in x[:20]], function(x)[:20])
     assert type(function(float(x[0]))) is np.float64
     assert np.array_equal(
         function(x.reshape(2, -1) if x.size % 2 == 0 else x[1:].reshape(2, -1)).ravel()[-5:], expected[-5:]
