@@ -62,6 +62,8 @@ def settled(number, odd, at_rest, *forces):
 
 def stored_factor(value, at_rest, *forces):
     """Return a pair as doubles of any size; the value at rest where one of the driving forces holds the bead."""
+    for force in forces:  # what is not to be rounded raises no flag
+        value = Scaled(*(np.where(force.held, 0, part) for part in value))
     number = store(value)
     for force in forces:
         number = np.where(force.held, at_rest, number)

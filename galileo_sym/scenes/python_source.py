@@ -149,9 +149,7 @@ class _Writer:
         lanes = ", ".join(f"np.broadcast_to({axis}, shape)[odd]" for axis in used)
         at_rest = next((self.steps[name].operands[1] for name in names if self.steps[name].operands[2:]), None)
         stored = "stored_factor({}).parts[0]".format(
-            ", ".join(
-                [self._whole(result), *([repr(at_rest)] if self._forces(names) else ["None"]), *self._forces(names)]
-            )
+            ", ".join(["whole", *([repr(at_rest)] if self._forces(names) else ["None"]), *self._forces(names)])
         ).replace("inf", "np.inf")
         return [
             "    odd = np.zeros(shape, dtype=bool)",
@@ -160,7 +158,8 @@ class _Writer:
             "    if odd.any():",
             "        with quiet():",
             f"            {self._tuple(self._given())} = _pairs({lanes})",
-            f"            {result.output}[odd] = {stored}",
+            f"            whole = {self._whole(result)}",
+            f"        {result.output}[odd] = {stored}",  # with the flags of its rounding
         ]
 
     def _forces(self, names):

@@ -61,3 +61,21 @@ def test_a_dictionary_keeps_the_entries_that_are_named():
     text = closure("phi1m")
     assert '"phi1m": {' in text
     assert '"phi2m"' not in text
+
+
+def test_error_states_are_those_of_the_scene(tmp_path):
+    def states(function, *given, **axes):
+        seen = set()
+        with np.errstate(all="call", call=lambda name, flag: seen.add(name)):
+            function(*given, **axes)
+        return seen
+
+    function = emitted(SPINDLE, tmp_path)
+    for t, theta, raised in (
+        (0.5, 0.2, set()),
+        (1e308, 0.2, {"overflow"}),
+        (1e308, 1.5, set()),  # at rest
+        (1e-170, 0.2, {"underflow"}),
+        (-1.0, 0.2, {"invalid value"}),
+    ):
+        assert states(function, [t], [theta]) == states(SPINDLE, t=[t], theta=[theta]) == raised
