@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from galileo_sym.codegen.hoisting import operands_of
 
-_FAILING = {"driving": ("good", "held")} | dict.fromkeys(("below", "arctangent", "shot", "launch"), ("good",))
+_FAILING = {"driving": ("good", "held")} | dict.fromkeys(("below", "arctangent", "shot", "launch", "roots"), ("good",))
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ DOUBLE = Arithmetic(
     kind="double",
     prefix="gs_vp_",
     number="gs_vp",
-    types={"angle": "gs_turn", "shot": "gs_vp_best", "launch": "gs_vp_angles"},
+    types={"angle": "gs_turn", "shot": "gs_vp_best", "launch": "gs_vp_angles", "roots": "gs_vp_roots_values"},
     load="gs_v_load",
     store="gs_v_store",
     padded="gs_padded",
@@ -56,6 +56,7 @@ DOUBLE = Arithmetic(
         "chord angle": "gs_between_or_0(gs_abs({}), 0x1p-100, GS_HALF_TURN_0)",
         "elevation": "gs_between_or_0({}, 0x1p-100, GS_HALF_TURN_0)",
         "chord angle, idle": "gs_at_least(gs_v_of(GS_HALF_TURN_0), gs_abs({}))",
+        "real": "gs_between_or_0(gs_abs({}), 0x1p-100, 0x1p+100)",
     },
     failing=_FAILING | {"phi0m": ("good",)},
     of_kinds={
@@ -70,7 +71,7 @@ SINGLE = Arithmetic(
     kind="float",
     prefix="gs_s_",
     number="gs_v",
-    types={"angle": "gs_turn_single", "shot": "gs_best", "launch": "gs_s_angles"},
+    types={"angle": "gs_turn_single", "shot": "gs_best", "launch": "gs_s_angles", "roots": "gs_s_roots_values"},
     load="gs_v_widen",
     store="gs_v_narrow",
     padded="gs_padded_single",
@@ -86,6 +87,7 @@ SINGLE = Arithmetic(
         "chord angle": "gs_between(gs_abs({}), 0.0, GS_HALF_TURN_SINGLE)",
         "elevation": "gs_between({}, 0.0, GS_HALF_TURN_SINGLE)",
         "chord angle, idle": "gs_between(gs_abs({}), 0.0, GS_HALF_TURN_SINGLE)",
+        "real": "gs_between(gs_abs({}), 0.0, 0x1p+128)",
     },
     failing=_FAILING | {"add": ("good",), "sub": ("good",)},
     of_kinds={},

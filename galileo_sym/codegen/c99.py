@@ -85,7 +85,7 @@ def _routine_kernel(function, force_set):
     name = f"gs_{function.routine.split('.')[1]}"
     return (
         f"/* {sources_text(function, force_set)}.\n * {ROUTINE_TEXT} */\n"
-        f"{_scalar_signature(function, force_set, force_set, 'double')}\n{{\n"
+        f"{scalar_signature(function, force_set, 'double', scaled_name(function, force_set))}\n{{\n"
         f"    {'return ' * is_single(function)}{name}({', '.join(passed)});\n}}\n"
     )
 
@@ -179,8 +179,7 @@ def kernel(function, force_set):
     plan = schedule(function, force_set)
     arguments = function.arguments(force_set)
     symbols = {a.symbol: a.name for a in arguments}
-    name = (scaled_name if lanes.in_lanes(function) else name_of)(function, force_set)
-    head = scalar_signature(function, force_set, "double", name, "{}_in", "{}_out")
+    head = scalar_signature(function, force_set, "double", scaled_name(function, force_set), "{}_in", "{}_out")
     missing = " || ".join(f"isnan({a.name}_in)" for a in arguments)
     inside = " && ".join(f"{_DOMAIN_TESTS[a.domain]}({a.name}_in)" for a in arguments)
     lines = [
@@ -212,15 +211,6 @@ def kernel(function, force_set):
     return text
 
 
-def _forward(function):
-    """Definition of the unsuffixed function: the kernel of all forces."""
-    signature = _scalar_signature(function, "", fullest(function), "double")
-    passed = [a.name for a in function.arguments(fullest(function))]
-    passed += [] if is_single(function) else [o.name for o in function.outputs]
-    call = f"{name_of(function, fullest(function))}({', '.join(passed)});"
-    return f"{signature}\n{{\n    {'return ' if is_single(function) else ''}{call}\n}}\n"
-
-
 def _widened(function, force_set):
     """Definition of what makes a double of the float that has a largest value."""
     others = ", ".join(_others(function, force_set))
@@ -229,47 +219,11 @@ def _widened(function, force_set):
     return f"{widened_signature(function, force_set)}\n{{\n    return {call};\n}}\n"
 
 
-def _narrow(function, suffix, force_set):
-    """Definition of the binary32 function: computed in double, rounded once."""
-    arguments = function.arguments(force_set)
-    passed = ", ".join(f"(double){a.name}" for a in arguments)
-    signature = _scalar_signature(function, suffix, force_set, "float")
-    if is_single(function):
-        return f"{signature}\n{{\n    return (float){name_of(function, suffix)}({passed});\n}}\n"
-    names = [o.name for o in function.outputs]
-    wide = ", ".join(f"{n}_wide" for n in names)
-    pointers = ", ".join(f"&{n}_wide" for n in names)
-    stores = "\n".join(f"    *{n} = (float){n}_wide;" for n in names)
-    return (
-        f"{signature}\n{{\n    double {wide};\n    {name_of(function, suffix)}({passed}, {pointers});\n{stores}\n}}\n"
-    )
-
-
-def _loop(function, suffix, force_set, kind):
-    """Definition of an array function."""
-    scalar = name_of(function, suffix, letter(kind))
-    passed = ", ".join(f"{a.name}[i]" for a in function.arguments(force_set))
-    if is_single(function):
-        body = f"{function.outputs[0].name}[i] = {scalar}({passed});"
-    else:
-        body = f"{scalar}({passed}, {', '.join(f'{o.name} + i' for o in function.outputs)});"
-    signature = _array_signature(function, suffix, force_set, kind)
-    return f"{signature}\n{{\n    for (size_t i = 0; i < n; i++)\n        {body}\n}}\n"
-
-
 def source(paper):
     """Return the C source of one paper."""
     parts = []
     for function in (f for f in FUNCTIONS.values() if f.paper == paper):
         parts += [kernel(function, force_set) for force_set in function.variants]
-        if function.primitive or lanes.in_lanes(function):
-            continue
-        if fullest(function):
-            parts.append(_forward(function))
-        for suffix, force_set in variants(function):
-            parts.append(_loop(function, suffix, force_set, "double"))
-            parts.append(_narrow(function, suffix, force_set))
-            parts.append(_loop(function, suffix, force_set, "float"))
     return '#include "galileo.h"\n#include "galileo_scaled.h"\n#include "galileo_support.h"\n\n' + "\n".join(parts)
 
 

@@ -140,7 +140,7 @@ def _sources():
     files["c/galileo.h"] = _c("the catalogue", header)
     support = _template("c/galileo_support.h").replace("@SIZES@\n", tables.c_sizes())
     files["c/galileo_support.h"] = _c("templates/c/galileo_support.h", support)
-    for name in ("galileo_vector.h", "galileo_loops.h"):
+    for name in ("galileo_vector.h", "galileo_loops.h", "galileo_launch.h", "galileo_roots.h"):
         files[f"c/{name}"] = _c(f"templates/c/{name}", _template(f"c/{name}"))
     files["c/galileo_kernels.h"] = _c("the coefficients of galileo_sym.primitives", kernels.kernels_header())
     files["c/galileo_frames.h"] = _c("the frames of galileo_sym.primitives", frames.frames_header())
@@ -156,8 +156,8 @@ def _sources():
     )
     quick = singles.singles_header(_template("c/galileo_singles.h"))
     files["c/galileo_singles.h"] = _c("templates/c/galileo_singles.h", quick)
-    launch = _template("c/galileo_launch.h").replace("@SERIES@\n", lanes.launch_series())
-    files["c/galileo_launch.h"] = _c("templates/c/galileo_launch.h", launch)
+    solving = _template("c/galileo_solving.h").replace("@SERIES@\n", lanes.second_series())
+    files["c/galileo_solving.h"] = _c("templates/c/galileo_solving.h", solving)
     files["c/galileo_scaled.h"] = _c("the catalogue", lanes.scaled_header())
     files["c/galileo_forms.h"] = _c("the stable forms of both papers", lanes.forms_header())
     for name, text in kernels.target_sources(_template("c/target.c"), "c").items():

@@ -8,7 +8,7 @@ those alone is computed once. It goes over blocks of vectors, in one loop for ea
 from galileo_sym.codegen.arithmetic import SINGLE, call_text, is_rate, size_of
 from galileo_sym.codegen.hoisting import hoisted
 from galileo_sym.codegen.lane_steps import lane_schedule, told_name
-from galileo_sym.codegen.printing import counts_text, sources_text
+from galileo_sym.codegen.printing import operations_text, sources_text
 from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name, widened_name
 from galileo_sym.codegen.stages import divided, names_in, operations_in
 
@@ -47,7 +47,7 @@ class _Form:
         signature = ", ".join(f"{kind}{name}" for (kind, _), name in zip(given, names, strict=True))
         return [
             f"/* {sources_text(self.function, self.force_set)}.",
-            f" * Operations: {counts_text(self.plan)}. */",
+            f" * {operations_text(self.function, self.plan)} */",
             f"void {self.name}({signature})",
         ]
 

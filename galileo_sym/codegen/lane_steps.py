@@ -1,7 +1,7 @@
 """A schedule's steps as forms on vectors take them: below a ceiling, and what solves in two parts."""
 
 from galileo_sym.codegen.hoisting import operands_of
-from galileo_sym.codegen.schedule import schedule
+from galileo_sym.codegen.schedule import Schedule, schedule
 
 _TOLD = "{}_told"
 
@@ -38,6 +38,15 @@ def _parted(steps):
     return out
 
 
+def _routine(function, force_set):
+    """The one step of what the templates compute."""
+    name = function.routine.split(".")[0].removeprefix("_")
+    symbols = [a.symbol for a in function.arguments(force_set)]
+    return Schedule(
+        loads=symbols, steps=[(name, (name, *symbols))], results=[f"{name}.{o.name}" for o in function.outputs]
+    )
+
+
 def lane_schedule(function, force_set):
     """Plan one form.
 
@@ -52,6 +61,8 @@ def lane_schedule(function, force_set):
     galileo_sym.codegen.schedule.Schedule
         That of the scaled form, with other steps.
     """
+    if function.routine:
+        return _routine(function, force_set)
     plan = schedule(function, force_set)
     if plan.limit:
         plan.steps = _below(function, plan)

@@ -22,12 +22,12 @@ from galileo_sym.codegen.signatures import (
 from galileo_sym.primitives.tables import TURN_COUNT, TURN_STEP, constants, pair_rows, turn_rows
 
 ARITHMETICS = (DOUBLE, SINGLE)
-_LAUNCH_TERMS, _LAUNCH_PAIRS = 18, 4  # 2**-64 of the sum, for s below 3/4
+_SECOND_TERMS, _SECOND_PAIRS = 18, 4  # 2**-64 of the sum, for s below 3/4
 
 
 def in_lanes(function):
-    """Whether a function has forms on vectors: not one that has cases, or is a primitive."""
-    return not (function.routine or function.primitive)
+    """Whether a function has forms on vectors: not one that is a primitive, which has its own."""
+    return not function.primitive
 
 
 def forms():
@@ -63,13 +63,13 @@ def turn_tables():
     )
 
 
-def launch_series():
+def second_series():
     """Return the coefficients of phi2 at -s, the first as pairs, and their numbers."""
-    rows = pair_rows("decay_series", _LAUNCH_TERMS)
+    rows = pair_rows("decay_series", _SECOND_TERMS)
     text = ",\n".join(f"    {{{hi.hex()}, {lo.hex()}}}" for hi, lo in rows)
     return (
-        f"#define GS_LAUNCH_TERMS {_LAUNCH_TERMS}\n#define GS_LAUNCH_PAIRS {_LAUNCH_PAIRS}\n"
-        f"static const double gs_launch_series[GS_LAUNCH_TERMS][2] = {{\n{text},\n}};\n"
+        f"#define GS_SECOND_TERMS {_SECOND_TERMS}\n#define GS_SECOND_PAIRS {_SECOND_PAIRS}\n"
+        f"static const double gs_second_series[GS_SECOND_TERMS][2] = {{\n{text},\n}};\n"
     )
 
 
@@ -88,11 +88,8 @@ def scaled_header():
 def forms_header():
     """Return the C header that defines all forms for a source that has set GS_LANES and GS_SUFFIX."""
     definitions = "\n".join(definition(f, s, shape, arithmetic) for f, s in forms() for shape, arithmetic in _every(f))
-    return (
-        "#ifndef GALILEO_FORMS_H\n#define GALILEO_FORMS_H\n\n"
-        '#include "galileo_loops.h"\n#include "galileo_launch.h"\n#include "galileo_scaled.h"\n\n'
-        f"{definitions}\n#endif\n"
-    )
+    included = "".join(f'#include "galileo_{name}.h"\n' for name in ("loops", "launch", "roots", "scaled"))
+    return f"#ifndef GALILEO_FORMS_H\n#define GALILEO_FORMS_H\n\n{included}\n{definitions}\n#endif\n"
 
 
 def _declarations(suffix):

@@ -15,8 +15,8 @@ _SCALED_MODULE = "_scaled_{}"
 
 
 def on_pairs(function):
-    """Whether a function is computed on plain pairs here: of those on vectors in C, not one that solves."""
-    return lanes.in_lanes(function) and not function.ceiling
+    """Whether a function is computed on plain pairs here: of those on vectors in C, not one that solves an equation."""
+    return lanes.in_lanes(function) and not (function.ceiling or function.routine)
 
 
 def kernel_name(function, force_set):

@@ -32,6 +32,11 @@ def counts_text(schedule):
     return ", ".join(f"{count} {kind}" for kind, count in sorted(schedule.counts.items())) or "no operations"
 
 
+def operations_text(function, schedule):
+    """Return a sentence on the operations of a kernel."""
+    return ROUTINE_TEXT if function.routine else f"Operations: {counts_text(schedule)}."
+
+
 def sources_text(function, force_set):
     """Return where a kernel comes from: its ledger entry and the printed equations behind it."""
     return f"{function.ledger_id(force_set)}, the stable form of {', '.join(function.sources(force_set))}"

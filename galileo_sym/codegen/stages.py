@@ -13,7 +13,7 @@ from galileo_sym.codegen.hoisting import operands_of
 
 _OF_ANGLES = {"angle", "sine", "cosine", "sine_of", "cosine_of", "driving"}
 _SLOW = {"div", "sqrt"}
-_LATE = {"phi0m", "below", "arctangent", "shot", "launch"}  # lanes may fail, or what is made is no number
+_LATE = {"phi0m", "below", "arctangent", "shot", "launch", "roots"}  # lanes may fail, or what is made is no number
 
 
 @dataclass

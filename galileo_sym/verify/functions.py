@@ -35,8 +35,6 @@ class Function:
         The unit of the error of an output that is not measured in ulps of the result.
     ranges : dict of str to (float, float)
         Least and greatest value of an argument that is not restricted as in all other functions.
-    fused : bool
-        Whether the C is made of fused multiply-adds, which NumPy lacks: the two may then differ in the last place.
     """
 
     paper: str
@@ -48,7 +46,6 @@ class Function:
     bound: float = CLAIMED_BOUND
     unit: dict = field(default_factory=dict)
     ranges: dict = field(default_factory=dict)
-    fused: bool = True
 
     @property
     def full_name(self):
@@ -136,7 +133,6 @@ _TABLE = (
         ONE_LAW,
         ("t0", "tm1"),
         ranges=dict.fromkeys("abcd", _ANY),
-        fused=False,
     ),
 )
 

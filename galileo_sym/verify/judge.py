@@ -92,7 +92,7 @@ def judge(sample, back_ends, record):
     sample : Sample
         Points with references; the recorded worst input last, if there is a record.
     back_ends : list
-        Objects with `name` and `evaluate`; all have to agree with the first to the bit, unless the function is `fused`.
+        Objects with `name` and `evaluate`; those that agree with the first to the bit are one row.
     record : dict or None
         What the certificate says of this stratum.
 
@@ -122,10 +122,6 @@ def judge(sample, back_ends, record):
         measurements.append((back_end.name, measurement, _verdict(measurement, bound, record)))
         if first is None:
             first = results
-        elif not function.fused:
-            shown = " ".join(f"{name}={value}" for name, value in as_hex(sample.point(differs)).items())
-            verdict = f"bits differ from {back_ends[0].name}, first at {shown}"
-            measurements[-1] = (back_end.name, measurement, verdict)
     for position, (name, measurement, verdict) in enumerate(measurements):
         names = [name, *agreeing] if position == 0 else [name]
         rows.append(

@@ -4,6 +4,7 @@
 
 #include "galileo_loops.h"
 #include "galileo_launch.h"
+#include "galileo_roots.h"
 #include "galileo_scaled.h"
 
 /* stable.chord.descent_time.free, the stable form of chord.eq4.
@@ -8763,6 +8764,102 @@ void GS_JOIN(gs_projectile_launch_angles_drag_nuf, GS_SUFFIX)(size_t count, cons
         GS_JOIN(gs_projectile_launch_angles_drag_nuf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], r_in, rest), v_in, g_in, k_in, pad[1], pad[2]);
         memcpy(low_out, pad[1], rest * sizeof *low_out);
         memcpy(high_out, pad[2], rest * sizeof *high_out);
+    }
+}
+
+/* stable.lambert.linear_exponential_roots, the stable form of projectile.res3, beyond.real-roots.two, beyond.real-roots.one.
+ * Operations: as its cases need, at most a few dozen in pairs. */
+void GS_JOIN(gs_lambert_linear_exponential_roots_n, GS_SUFFIX)(size_t count, const double *a_in, const double *b_in, const double *c_in, const double *d_in, double *t0_out, double *tm1_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v a_here = gs_v_load(a_in + at);
+            const gs_v b_here = gs_v_load(b_in + at);
+            const gs_v c_here = gs_v_load(c_in + at);
+            const gs_v d_here = gs_v_load(d_in + at);
+            gs_mask good = gs_between_or_0(gs_abs(a_here), 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(b_here), 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(c_here), 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(d_here), 0x1p-100, 0x1p+100));
+            const gs_v a = gs_select(good, a_here, one);
+            const gs_v b = gs_select(good, b_here, one);
+            const gs_v c = gs_select(good, c_here, one);
+            const gs_v d = gs_select(good, d_here, one);
+            const gs_vp_roots_values roots = gs_vp_roots(gs_vp_load(a), gs_vp_load(b), gs_vp_load(c), gs_vp_load(d), &good);
+            gs_v t0_here = gs_vp_value(roots.t0);
+            gs_v tm1_here = gs_vp_value(roots.tm1);
+            if (!gs_all(good)) {
+                double t0_each[GS_LANES], tm1_each[GS_LANES];
+                gs_v_store(t0_each, t0_here);
+                gs_v_store(tm1_each, tm1_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_lambert_linear_exponential_roots(a_in[at + j], b_in[at + j], c_in[at + j], d_in[at + j], t0_each + j, tm1_each + j);
+                t0_here = gs_v_load(t0_each);
+                tm1_here = gs_v_load(tm1_each);
+            }
+            gs_v_store(t0_out + at, t0_here);
+            gs_v_store(tm1_out + at, tm1_here);
+        }
+        vectors -= block, a_in += block * GS_LANES, b_in += block * GS_LANES, c_in += block * GS_LANES, d_in += block * GS_LANES, t0_out += block * GS_LANES, tm1_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_lambert_linear_exponential_roots_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], a_in, rest), gs_padded(pad[1], b_in, rest), gs_padded(pad[2], c_in, rest), gs_padded(pad[3], d_in, rest), pad[4], pad[5]);
+        memcpy(t0_out, pad[4], rest * sizeof *t0_out);
+        memcpy(tm1_out, pad[5], rest * sizeof *tm1_out);
+    }
+}
+
+/* stable.lambert.linear_exponential_roots, the stable form of projectile.res3, beyond.real-roots.two, beyond.real-roots.one.
+ * Operations: as its cases need, at most a few dozen in pairs. */
+void GS_JOIN(gs_lambert_linear_exponential_roots_nf, GS_SUFFIX)(size_t count, const float *a_in, const float *b_in, const float *c_in, const float *d_in, float *t0_out, float *tm1_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v a_here = gs_v_widen(a_in + at);
+            const gs_v b_here = gs_v_widen(b_in + at);
+            const gs_v c_here = gs_v_widen(c_in + at);
+            const gs_v d_here = gs_v_widen(d_in + at);
+            gs_mask good = gs_between(gs_abs(a_here), 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(b_here), 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(c_here), 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(d_here), 0.0, 0x1p+128));
+            const gs_v a = gs_select(good, a_here, one);
+            const gs_v b = gs_select(good, b_here, one);
+            const gs_v c = gs_select(good, c_here, one);
+            const gs_v d = gs_select(good, d_here, one);
+            const gs_s_roots_values roots = gs_s_roots(a, b, c, d, &good);
+            gs_v t0_here = roots.t0;
+            gs_v tm1_here = roots.tm1;
+            if (!gs_all(good)) {
+                double t0_each[GS_LANES], tm1_each[GS_LANES];
+                gs_v_store(t0_each, t0_here);
+                gs_v_store(tm1_each, tm1_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_lambert_linear_exponential_roots(a_in[at + j], b_in[at + j], c_in[at + j], d_in[at + j], t0_each + j, tm1_each + j);
+                t0_here = gs_v_load(t0_each);
+                tm1_here = gs_v_load(tm1_each);
+            }
+            gs_v_narrow(t0_out + at, t0_here);
+            gs_v_narrow(tm1_out + at, tm1_here);
+        }
+        vectors -= block, a_in += block * GS_LANES, b_in += block * GS_LANES, c_in += block * GS_LANES, d_in += block * GS_LANES, t0_out += block * GS_LANES, tm1_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_lambert_linear_exponential_roots_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], a_in, rest), gs_padded_single(pad[1], b_in, rest), gs_padded_single(pad[2], c_in, rest), gs_padded_single(pad[3], d_in, rest), pad[4], pad[5]);
+        memcpy(t0_out, pad[4], rest * sizeof *t0_out);
+        memcpy(tm1_out, pad[5], rest * sizeof *tm1_out);
     }
 }
 

@@ -11,7 +11,7 @@
 #ifndef GALILEO_LAUNCH_H
 #define GALILEO_LAUNCH_H
 
-#include "galileo_single.h"
+#include "galileo_solving.h"
 
 #define GS_MOST_ALPHA 0x1p+20  /* sines of the best angle are known well enough from its range */
 #define GS_LEAST_ALPHA 0x1p-100 /* resistance is nothing below */
@@ -41,19 +41,6 @@ typedef struct {
 typedef struct {
     gs_v across, rise, fade;
 } gs_point;
-
-/* log(1 + w)/w, w > 0, within 5e-5. */
-static inline gs_v gs_age(gs_v w)
-{
-    const gs_v one = gs_v_of(1.0), middle = gs_v_of(0x1.6a09e667f3bcdp+1);
-    const gs_v x = gs_add(one, w), m = gs_mantissa(x);
-    const gs_v f = gs_div(gs_sub(m, middle), gs_add(m, middle)), q = gs_mul(f, f);
-    const gs_v odd = gs_mul(f, gs_fma(q, gs_fma(q, gs_v_of(0.4), gs_v_of(0x1.5555555555555p-1)), gs_v_of(2.0)));
-    const gs_v log = gs_fma(gs_exponent(x), gs_v_of(0x1.62e42fefa39efp-1), gs_add(odd, gs_v_of(0x1.0a2b23f3bab73p+0)));
-    const gs_mask small = gs_less(w, gs_v_of(0.125));
-    return gs_div(gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-3), one), log),
-                  gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-1), one), w));
-}
 
 /* 1/sqrt(1 + 2p/3 + p^2) */
 static inline gs_v gs_bend_of(gs_v p)
@@ -174,51 +161,16 @@ static inline gs_vp_best gs_vp_shot(gs_vp alpha, gs_mask *good)
     return shot;
 }
 
-/* Coefficients of phi2 at -s, GS_LAUNCH_PAIRS of them as pairs. */
-#define GS_LAUNCH_TERMS 18
-#define GS_LAUNCH_PAIRS 4
-static const double gs_launch_series[GS_LAUNCH_TERMS][2] = {
-    {0x1.0000000000000p-1, 0x0.0p+0},
-    {-0x1.5555555555555p-3, -0x1.5555555555555p-57},
-    {0x1.5555555555555p-5, 0x1.5555555555555p-59},
-    {-0x1.1111111111111p-7, -0x1.1111111111111p-63},
-    {0x1.6c16c16c16c17p-10, -0x1.f49f49f49f49fp-65},
-    {-0x1.a01a01a01a01ap-13, -0x1.a01a01a01a01ap-73},
-    {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76},
-    {-0x1.71de3a556c734p-19, 0x1.c154f8ddc6c00p-73},
-    {0x1.27e4fb7789f5cp-22, 0x1.cbbc05b4fa99ap-76},
-    {-0x1.ae64567f544e4p-26, 0x1.c062e06d1f209p-80},
-    {0x1.1eed8eff8d898p-29, -0x1.2aec959e14c06p-83},
-    {-0x1.6124613a86d09p-33, -0x1.f28e0cc748ebep-87},
-    {0x1.93974a8c07c9dp-37, 0x1.05d6f8a2efd1fp-92},
-    {-0x1.ae7f3e733b81fp-41, -0x1.1d8656b0ee8cbp-97},
-    {0x1.ae7f3e733b81fp-45, 0x1.1d8656b0ee8cbp-101},
-    {-0x1.952c77030ad4ap-49, -0x1.ac981465ddc6cp-103},
-    {0x1.6827863b97d97p-53, 0x1.eec01221a8b0bp-107},
-    {-0x1.2f49b46814157p-57, -0x1.2650f61dbdcb4p-112},
-};
 /* Pairs of across and rise, and fade. */
 typedef struct {
     gs_vp across, rise;
     gs_v fade;
 } gs_vp_point;
 
-/* c + s r, |s r| < |c|. */
-static inline gs_vp gs_vp_horner(const double c[2], gs_vp s, gs_vp r)
-{
-    const gs_vp p = gs_vp_mul(s, r), h = gs_vp_sum(gs_v_of(c[0]), p.hi);
-    return gs_vp_of(h.hi, gs_add(h.lo, gs_add(gs_v_of(c[1]), p.lo)));
-}
-
-/* By the power series of phi2 at -s, s < 3/4: the last terms in plain doubles. */
+/* By the power series of phi2, s < 3/4. */
 static inline gs_vp_point gs_vp_soon(gs_v z, gs_vp s)
 {
-    gs_v tail = gs_v_of(gs_launch_series[GS_LAUNCH_TERMS - 1][0]);
-    for (int k = GS_LAUNCH_TERMS - 2; k >= GS_LAUNCH_PAIRS; k--)
-        tail = gs_fma(s.hi, tail, gs_v_of(gs_launch_series[k][0]));
-    gs_vp second = gs_vp_load(tail);
-    for (int k = GS_LAUNCH_PAIRS - 1; k >= 0; k--)
-        second = gs_vp_horner(gs_launch_series[k], s, second);
+    const gs_vp second = gs_vp_second(s);
     const gs_vp first = gs_vp_sub(gs_vp_constant(1.0), gs_vp_mul(s, second)), time = gs_vp_load(z);
     gs_vp_point at;
     at.across = gs_vp_mul(time, first);

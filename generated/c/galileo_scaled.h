@@ -40,6 +40,7 @@ double gs_scaled_projectile_max_range_free(double v, double g);
 double gs_scaled_projectile_max_range_drag(double v, double g, double k);
 void gs_scaled_projectile_launch_angles_free(double r, double v, double g, double *low, double *high);
 void gs_scaled_projectile_launch_angles_drag(double r, double v, double g, double k, double *low, double *high);
+void gs_scaled_lambert_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1);
 /* An argument that has a largest value: the float next to that counts as it. */
 double gs_widened_projectile_launch_angles_free(float r, float v, float g);
 double gs_widened_projectile_launch_angles_drag(float r, float v, float g, float k);

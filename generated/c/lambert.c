@@ -43,27 +43,7 @@ void gs_lambert_wm1_nf(size_t n, const float *x, float *w)
 
 /* stable.lambert.linear_exponential_roots, the stable form of projectile.res3, beyond.real-roots.two, beyond.real-roots.one.
  * Operations: as its cases need, at most a few dozen in pairs. */
-void gs_lambert_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1)
+void gs_scaled_lambert_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1)
 {
     gs_linear_exponential_roots(a, b, c, d, t0, tm1);
-}
-
-void gs_lambert_linear_exponential_roots_n(size_t n, const double *a, const double *b, const double *c, const double *d, double *t0, double *tm1)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_lambert_linear_exponential_roots(a[i], b[i], c[i], d[i], t0 + i, tm1 + i);
-}
-
-void gs_lambert_linear_exponential_rootsf(float a, float b, float c, float d, float *t0, float *tm1)
-{
-    double t0_wide, tm1_wide;
-    gs_lambert_linear_exponential_roots((double)a, (double)b, (double)c, (double)d, &t0_wide, &tm1_wide);
-    *t0 = (float)t0_wide;
-    *tm1 = (float)tm1_wide;
-}
-
-void gs_lambert_linear_exponential_roots_nf(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_lambert_linear_exponential_rootsf(a[i], b[i], c[i], d[i], t0 + i, tm1 + i);
 }

@@ -150,6 +150,8 @@ void gs_projectile_launch_angles_drag_n_avx512(size_t n, const double *r, const 
 void gs_projectile_launch_angles_drag_nf_avx512(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
 void gs_projectile_launch_angles_drag_nu_avx512(size_t n, const double *r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_drag_nuf_avx512(size_t n, const float *r, float v, float g, float k, float *low, float *high);
+void gs_lambert_linear_exponential_roots_n_avx512(size_t n, const double *a, const double *b, const double *c, const double *d, double *t0, double *tm1);
+void gs_lambert_linear_exponential_roots_nf_avx512(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1);
 void gs_chord_descent_time_free_n_avx2(size_t n, const double *theta, const double *diameter, const double *g, double *time);
 void gs_chord_descent_time_free_nf_avx2(size_t n, const float *theta, const float *diameter, const float *g, float *time);
 void gs_chord_descent_time_free_nu_avx2(size_t n, const double *theta, double diameter, double g, double *time);
@@ -292,6 +294,8 @@ void gs_projectile_launch_angles_drag_n_avx2(size_t n, const double *r, const do
 void gs_projectile_launch_angles_drag_nf_avx2(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
 void gs_projectile_launch_angles_drag_nu_avx2(size_t n, const double *r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_drag_nuf_avx2(size_t n, const float *r, float v, float g, float k, float *low, float *high);
+void gs_lambert_linear_exponential_roots_n_avx2(size_t n, const double *a, const double *b, const double *c, const double *d, double *t0, double *tm1);
+void gs_lambert_linear_exponential_roots_nf_avx2(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1);
 void gs_chord_descent_time_free_n_fma(size_t n, const double *theta, const double *diameter, const double *g, double *time);
 void gs_chord_descent_time_free_nf_fma(size_t n, const float *theta, const float *diameter, const float *g, float *time);
 void gs_chord_descent_time_free_nu_fma(size_t n, const double *theta, double diameter, double g, double *time);
@@ -434,6 +438,8 @@ void gs_projectile_launch_angles_drag_n_fma(size_t n, const double *r, const dou
 void gs_projectile_launch_angles_drag_nf_fma(size_t n, const float *r, const float *v, const float *g, const float *k, float *low, float *high);
 void gs_projectile_launch_angles_drag_nu_fma(size_t n, const double *r, double v, double g, double k, double *low, double *high);
 void gs_projectile_launch_angles_drag_nuf_fma(size_t n, const float *r, float v, float g, float k, float *low, float *high);
+void gs_lambert_linear_exponential_roots_n_fma(size_t n, const double *a, const double *b, const double *c, const double *d, double *t0, double *tm1);
+void gs_lambert_linear_exponential_roots_nf_fma(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1);
 #endif
 
 double gs_chord_descent_time_free(double theta, double diameter, double g)
@@ -2018,4 +2024,24 @@ void gs_projectile_launch_angles_nu(size_t n, const double *r, double v, double 
 void gs_projectile_launch_angles_nuf(size_t n, const float *r, float v, float g, float k, float *low, float *high)
 {
     GS_CHOOSE(gs_projectile_launch_angles_drag_nuf)(n, r, v, g, k, low, high);
+}
+
+void gs_lambert_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1)
+{
+    GS_CHOOSE_SINGLE(gs_lambert_linear_exponential_roots_n)(1, &a, &b, &c, &d, t0, tm1);
+}
+
+void gs_lambert_linear_exponential_rootsf(float a, float b, float c, float d, float *t0, float *tm1)
+{
+    GS_CHOOSE_SINGLE(gs_lambert_linear_exponential_roots_nf)(1, &a, &b, &c, &d, t0, tm1);
+}
+
+void gs_lambert_linear_exponential_roots_n(size_t n, const double *a, const double *b, const double *c, const double *d, double *t0, double *tm1)
+{
+    GS_CHOOSE(gs_lambert_linear_exponential_roots_n)(n, a, b, c, d, t0, tm1);
+}
+
+void gs_lambert_linear_exponential_roots_nf(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1)
+{
+    GS_CHOOSE(gs_lambert_linear_exponential_roots_nf)(n, a, b, c, d, t0, tm1);
 }

@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "3a23ba522acb3ee35cc2678714621a0f827fbb409640315cf01a6b7f68d26bc1";
+const char gs_sources[] = "a41f25a7ef01b3daaf6ecdfb3de19588057c467bdd2932f3d70b58fa8136fff9";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};

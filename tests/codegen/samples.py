@@ -74,8 +74,11 @@ def awkward(function, force_set, n, seed, dtype):
     return values
 
 
-def plain_results(results, least):
-    """Where all results are finite and far from the smallest numbers: these raise no flag, nor does a constant 0."""
-    sizes = np.abs(results)
+def plain_results(results, least, missing=False):
+    """Where all results are finite and far from the smallest numbers: these raise no flag, nor does a constant 0.
+
+    ``missing`` says that NaN is an answer, too: that there is none.
+    """
+    sizes = np.where(missing & np.isnan(results), 1.0, np.abs(results))
     sizes = sizes[sizes.max(axis=1) != 0]
     return np.all((sizes > least) & (sizes < 1 / least), axis=0)

@@ -137,7 +137,7 @@ def test_the_extension_gives_the_same_bits_and_flags(function, force_set, dtype)
     with np.errstate(all="ignore"):
         values = [v.astype(dtype) for v in arguments(function, force_set, COUNT, 1, seed=7).values()]
         found = ufunc(*values)
-        plain = plain_results(found if isinstance(found, tuple) else (found,), 1e-30)
+        plain = plain_results(found if isinstance(found, tuple) else (found,), 1e-30, bool(function.routine))
     assert np.count_nonzero(plain) > COUNT // 4
     with np.errstate(all="raise"):
         ufunc(*(v[plain] for v in values))
@@ -154,7 +154,7 @@ def test_only_results_raise_flags(function, force_set):
     library, libm = compiled.library(), ctypes.CDLL("libm.so.6")
     values = list(arguments(function, force_set, COUNT, 40, seed=4).values())
     with np.errstate(all="ignore"):
-        plain = plain_results(run(library, function, force_set, ARRAYS, values), 1e-300)
+        plain = plain_results(run(library, function, force_set, ARRAYS, values), 1e-300, bool(function.routine))
     values = [np.ascontiguousarray(v[plain]) for v in values]
     assert values[0].size > 20
     for ending in ["", *(f"_{version}" for version in runnable())]:

@@ -99,9 +99,11 @@ import ctypes, sys
 import numpy as np
 library, target = ctypes.CDLL(sys.argv[1]), sys.argv[2]
 columns = [np.ascontiguousarray(x) for x in np.load(target)]
-results = [np.empty_like(columns[0]) for _ in range(2)]
-pointers = [ctypes.c_void_p(x.ctypes.data) for x in [*columns, *results]]
-library.gs_lambert_linear_exponential_roots_n(ctypes.c_size_t(columns[0].size), *pointers)
+results = np.empty((2, columns[0].size))
+roots = [ctypes.c_double(), ctypes.c_double()]
+for i, point in enumerate(zip(*columns)):
+    library.gs_scaled_lambert_linear_exponential_roots(*map(ctypes.c_double, point), *map(ctypes.byref, roots))
+    results[:, i] = [root.value for root in roots]
 np.save(target, results)
 """
 

@@ -13386,6 +13386,75 @@ GS_PUBLIC(arctan, _blocks, GS_NO_POLE, 0)
 #ifndef GALILEO_LAUNCH_H
 #define GALILEO_LAUNCH_H
 
+/* What solvers on vectors share: a logarithm to begin with, and phi2 in pairs by its power series. */
+#ifndef GALILEO_SOLVING_H
+#define GALILEO_SOLVING_H
+
+
+/* log(x), x > 0 and no subnormal, within 1e-9. */
+static inline gs_v gs_rough_log(gs_v x)
+{
+    const gs_v middle = gs_v_of(0x1.6a09e667f3bcdp+1), m = gs_mantissa(x); /* sqrt(8), in [2, 4) */
+    const gs_v f = gs_div(gs_sub(m, middle), gs_add(m, middle)), q = gs_mul(f, f);
+    gs_v odd = gs_fma(q, gs_v_of(0x1.c71c71c71c71cp-3), gs_v_of(0x1.2492492492492p-2));
+    odd = gs_fma(gs_fma(odd, q, gs_v_of(0x1.999999999999ap-2)), q, gs_v_of(0x1.5555555555555p-1));
+    odd = gs_fma(odd, q, gs_v_of(2.0)); /* 2 atanh(f)/f */
+    return gs_fma(gs_exponent(x), gs_v_of(0x1.62e42fefa39efp-1), gs_fma(odd, f, gs_v_of(0x1.0a2b23f3bab73p+0)));
+}
+
+/* log(1 + w)/w, w > 0, within 5e-5. */
+static inline gs_v gs_age(gs_v w)
+{
+    const gs_v one = gs_v_of(1.0), log = gs_rough_log(gs_add(one, w));
+    const gs_mask small = gs_less(w, gs_v_of(0.125));
+    return gs_div(gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-3), one), log),
+                  gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-1), one), w));
+}
+
+/* Coefficients of phi2 at -s, GS_SECOND_PAIRS of them as pairs. */
+#define GS_SECOND_TERMS 18
+#define GS_SECOND_PAIRS 4
+static const double gs_second_series[GS_SECOND_TERMS][2] = {
+    {0x1.0000000000000p-1, 0x0.0p+0},
+    {-0x1.5555555555555p-3, -0x1.5555555555555p-57},
+    {0x1.5555555555555p-5, 0x1.5555555555555p-59},
+    {-0x1.1111111111111p-7, -0x1.1111111111111p-63},
+    {0x1.6c16c16c16c17p-10, -0x1.f49f49f49f49fp-65},
+    {-0x1.a01a01a01a01ap-13, -0x1.a01a01a01a01ap-73},
+    {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76},
+    {-0x1.71de3a556c734p-19, 0x1.c154f8ddc6c00p-73},
+    {0x1.27e4fb7789f5cp-22, 0x1.cbbc05b4fa99ap-76},
+    {-0x1.ae64567f544e4p-26, 0x1.c062e06d1f209p-80},
+    {0x1.1eed8eff8d898p-29, -0x1.2aec959e14c06p-83},
+    {-0x1.6124613a86d09p-33, -0x1.f28e0cc748ebep-87},
+    {0x1.93974a8c07c9dp-37, 0x1.05d6f8a2efd1fp-92},
+    {-0x1.ae7f3e733b81fp-41, -0x1.1d8656b0ee8cbp-97},
+    {0x1.ae7f3e733b81fp-45, 0x1.1d8656b0ee8cbp-101},
+    {-0x1.952c77030ad4ap-49, -0x1.ac981465ddc6cp-103},
+    {0x1.6827863b97d97p-53, 0x1.eec01221a8b0bp-107},
+    {-0x1.2f49b46814157p-57, -0x1.2650f61dbdcb4p-112},
+};
+
+/* c + s r, |s r| < |c|. */
+static inline gs_vp gs_vp_horner(const double c[2], gs_vp s, gs_vp r)
+{
+    const gs_vp p = gs_vp_mul(s, r), h = gs_vp_sum(gs_v_of(c[0]), p.hi);
+    return gs_vp_of(h.hi, gs_add(h.lo, gs_add(gs_v_of(c[1]), p.lo)));
+}
+
+/* phi2(-s), |s| < 3/4, to 2^-62: the last terms in plain doubles. */
+static inline gs_vp gs_vp_second(gs_vp s)
+{
+    gs_v tail = gs_v_of(gs_second_series[GS_SECOND_TERMS - 1][0]);
+    for (int k = GS_SECOND_TERMS - 2; k >= GS_SECOND_PAIRS; k--)
+        tail = gs_fma(s.hi, tail, gs_v_of(gs_second_series[k][0]));
+    gs_vp second = gs_vp_load(tail);
+    for (int k = GS_SECOND_PAIRS - 1; k >= 0; k--)
+        second = gs_vp_horner(gs_second_series[k], s, second);
+    return second;
+}
+
+#endif
 
 #define GS_MOST_ALPHA 0x1p+20  /* sines of the best angle are known well enough from its range */
 #define GS_LEAST_ALPHA 0x1p-100 /* resistance is nothing below */
@@ -13415,19 +13484,6 @@ typedef struct {
 typedef struct {
     gs_v across, rise, fade;
 } gs_point;
-
-/* log(1 + w)/w, w > 0, within 5e-5. */
-static inline gs_v gs_age(gs_v w)
-{
-    const gs_v one = gs_v_of(1.0), middle = gs_v_of(0x1.6a09e667f3bcdp+1);
-    const gs_v x = gs_add(one, w), m = gs_mantissa(x);
-    const gs_v f = gs_div(gs_sub(m, middle), gs_add(m, middle)), q = gs_mul(f, f);
-    const gs_v odd = gs_mul(f, gs_fma(q, gs_fma(q, gs_v_of(0.4), gs_v_of(0x1.5555555555555p-1)), gs_v_of(2.0)));
-    const gs_v log = gs_fma(gs_exponent(x), gs_v_of(0x1.62e42fefa39efp-1), gs_add(odd, gs_v_of(0x1.0a2b23f3bab73p+0)));
-    const gs_mask small = gs_less(w, gs_v_of(0.125));
-    return gs_div(gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-3), one), log),
-                  gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-1), one), w));
-}
 
 /* 1/sqrt(1 + 2p/3 + p^2) */
 static inline gs_v gs_bend_of(gs_v p)
@@ -13548,51 +13604,16 @@ static inline gs_vp_best gs_vp_shot(gs_vp alpha, gs_mask *good)
     return shot;
 }
 
-/* Coefficients of phi2 at -s, GS_LAUNCH_PAIRS of them as pairs. */
-#define GS_LAUNCH_TERMS 18
-#define GS_LAUNCH_PAIRS 4
-static const double gs_launch_series[GS_LAUNCH_TERMS][2] = {
-    {0x1.0000000000000p-1, 0x0.0p+0},
-    {-0x1.5555555555555p-3, -0x1.5555555555555p-57},
-    {0x1.5555555555555p-5, 0x1.5555555555555p-59},
-    {-0x1.1111111111111p-7, -0x1.1111111111111p-63},
-    {0x1.6c16c16c16c17p-10, -0x1.f49f49f49f49fp-65},
-    {-0x1.a01a01a01a01ap-13, -0x1.a01a01a01a01ap-73},
-    {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76},
-    {-0x1.71de3a556c734p-19, 0x1.c154f8ddc6c00p-73},
-    {0x1.27e4fb7789f5cp-22, 0x1.cbbc05b4fa99ap-76},
-    {-0x1.ae64567f544e4p-26, 0x1.c062e06d1f209p-80},
-    {0x1.1eed8eff8d898p-29, -0x1.2aec959e14c06p-83},
-    {-0x1.6124613a86d09p-33, -0x1.f28e0cc748ebep-87},
-    {0x1.93974a8c07c9dp-37, 0x1.05d6f8a2efd1fp-92},
-    {-0x1.ae7f3e733b81fp-41, -0x1.1d8656b0ee8cbp-97},
-    {0x1.ae7f3e733b81fp-45, 0x1.1d8656b0ee8cbp-101},
-    {-0x1.952c77030ad4ap-49, -0x1.ac981465ddc6cp-103},
-    {0x1.6827863b97d97p-53, 0x1.eec01221a8b0bp-107},
-    {-0x1.2f49b46814157p-57, -0x1.2650f61dbdcb4p-112},
-};
 /* Pairs of across and rise, and fade. */
 typedef struct {
     gs_vp across, rise;
     gs_v fade;
 } gs_vp_point;
 
-/* c + s r, |s r| < |c|. */
-static inline gs_vp gs_vp_horner(const double c[2], gs_vp s, gs_vp r)
-{
-    const gs_vp p = gs_vp_mul(s, r), h = gs_vp_sum(gs_v_of(c[0]), p.hi);
-    return gs_vp_of(h.hi, gs_add(h.lo, gs_add(gs_v_of(c[1]), p.lo)));
-}
-
-/* By the power series of phi2 at -s, s < 3/4: the last terms in plain doubles. */
+/* By the power series of phi2, s < 3/4. */
 static inline gs_vp_point gs_vp_soon(gs_v z, gs_vp s)
 {
-    gs_v tail = gs_v_of(gs_launch_series[GS_LAUNCH_TERMS - 1][0]);
-    for (int k = GS_LAUNCH_TERMS - 2; k >= GS_LAUNCH_PAIRS; k--)
-        tail = gs_fma(s.hi, tail, gs_v_of(gs_launch_series[k][0]));
-    gs_vp second = gs_vp_load(tail);
-    for (int k = GS_LAUNCH_PAIRS - 1; k >= 0; k--)
-        second = gs_vp_horner(gs_launch_series[k], s, second);
+    const gs_vp second = gs_vp_second(s);
     const gs_vp first = gs_vp_sub(gs_vp_constant(1.0), gs_vp_mul(s, second)), time = gs_vp_load(z);
     gs_vp_point at;
     at.across = gs_vp_mul(time, first);
@@ -13658,6 +13679,212 @@ static inline gs_vp_angles gs_vp_launch(gs_vp rho_given, gs_vp_best shot, gs_mas
 }
 
 #endif
+/* Real roots of a t + b + c exp(d t) = 0 on vectors, as T = d t: T + beta + kappa exp(T) = 0, beta = b d/a, kappa = c d/a.
+ *
+ * T = -beta - w with w + log|w| = y = log|kappa| - beta: w > 0 for kappa > 0, else -1 < w < 0 by W0 and w < -1 by W-1.
+ * A closed form gives w within 2 percent, a step of the fourth order within 1e-8; then two steps of the third order for
+ * T, in plain doubles and in pairs. What cancels in T is mended by T + total + kappa (exp(T) - 1), total = (b + c) d/a.
+ * A pair exp(T) that errs by e makes an error of e w/|1 + w| in T; beside a double root the scaled code serves.
+ */
+#ifndef GALILEO_ROOTS_H
+#define GALILEO_ROOTS_H
+
+
+#define GS_MOST_BETA 300.0  /* exponentials are ordinary numbers, ... */
+#define GS_MOST_KAPPA 0x1p+100
+#define GS_LEAST_TOTAL 0x1p-200 /* ... and no root is 0 */
+#define GS_CLEARLY 0x1p-8 /* distance of -1 - y from 0: above there are two roots, below none */
+#define GS_SHORT 0.375    /* |T| below which exp(T) - 1 is looked at */
+
+typedef struct {
+    gs_vp t0, tm1;
+} gs_vp_roots_values;
+
+typedef struct {
+    gs_v t0, tm1;
+} gs_s_roots_values;
+
+/* The equation in plain doubles, its y, and in which lanes kappa < 0. */
+typedef struct {
+    gs_v beta, kappa, total, log, y;
+    gs_mask negative;
+} gs_plain_equation;
+
+/* The equation in lanes that are served, another one elsewhere; `none` tells lanes that have no roots. */
+static inline gs_plain_equation gs_equation_in(gs_v beta, gs_v kappa, gs_v total, gs_mask *served, gs_mask *none)
+{
+    const gs_v one = gs_v_of(1.0), zero = gs_v_of(0.0);
+    gs_mask here = gs_at_least(gs_v_of(GS_MOST_BETA), gs_abs(beta));
+    here = gs_both(here, gs_between(gs_abs(kappa), 1.0 / GS_MOST_KAPPA, GS_MOST_KAPPA));
+    here = gs_both(here, gs_at_least(gs_abs(total), gs_v_of(GS_LEAST_TOTAL)));
+    const gs_v log = gs_rough_log(gs_abs(gs_select(here, kappa, one)));
+    const gs_v distance = gs_sub(gs_sub(gs_select(here, beta, one), log), one);
+    const gs_mask negative = gs_less(kappa, zero), two = gs_at_least(distance, gs_v_of(GS_CLEARLY));
+    *none = gs_both(here, gs_both(negative, gs_at_least(gs_v_of(-GS_CLEARLY), distance)));
+    *served = gs_both(here, gs_either(gs_not(negative), two));
+    const gs_plain_equation eq = {gs_select(*served, beta, one), gs_select(*served, kappa, one),
+                                  gs_select(*served, total, gs_v_of(2.0)), gs_select(*served, log, zero),
+                                  gs_select(*served, gs_sub(gs_v_of(-1.0), distance), gs_v_of(-1.0)),
+                                  gs_both(*served, negative)};
+    return eq;
+}
+
+/* Winitzki's approximations of W0(exp(y)) and, for kappa < 0, W0(-exp(y)). */
+static inline gs_v gs_principal_start(const gs_plain_equation *eq)
+{
+    const gs_v one = gs_v_of(1.0), two = gs_v_of(2.0), past = gs_add(eq->y, one); /* 1 + y */
+    const gs_v faded = gs_exp_minus_range0_lean(gs_abs(gs_select(eq->negative, past, eq->y)));
+    const gs_v power = gs_select(gs_less(gs_v_of(0.0), eq->y), gs_div(one, faded), faded);
+    const gs_v log = gs_mul(power, gs_age(power));
+    const gs_v above = gs_mul(log, gs_sub(one, gs_div(gs_mul(log, gs_age(log)), gs_add(two, log))));
+    if (!gs_bits_of(eq->negative))
+        return above;
+    const gs_v root = gs_sqrt(gs_abs(gs_fnma(two, faded, two)));
+    const gs_v bent = gs_fma(root, gs_v_of(-0x1.0044324782138p-3), one);
+    const gs_v below = gs_div(gs_mul(faded, bent), gs_add(bent, root));
+    return gs_select(eq->negative, gs_mul(below, gs_v_of(-1.0)), above);
+}
+
+/* W-1(-exp(y)) after Barry and others; another start where kappa > 0. */
+static inline gs_v gs_lower_start(const gs_plain_equation *eq, gs_v other)
+{
+    const gs_v root = gs_sqrt(gs_mul(gs_abs(gs_add(eq->y, gs_v_of(1.0))), gs_v_of(0.5)));
+    const gs_v more = gs_div(gs_add(root, root), gs_fma(root, gs_v_of(0.32), gs_v_of(1.0)));
+    return gs_select(eq->negative, gs_sub(eq->y, more), other);
+}
+
+/* T of w after a step of Fritsch's; by logarithms where w is large. */
+static inline gs_v gs_time_of(const gs_plain_equation *eq, gs_v w)
+{
+    const gs_v one = gs_v_of(1.0), log = gs_rough_log(gs_abs(w)), past = gs_add(one, w);
+    const gs_v z = gs_sub(gs_sub(eq->y, w), log);
+    const gs_v q = gs_mul(gs_add(past, past), gs_fma(z, gs_v_of(0x1.5555555555555p-1), past));
+    const gs_v e = gs_div(gs_mul(z, gs_sub(q, z)), gs_mul(past, gs_fnma(gs_v_of(2.0), z, q)));
+    const gs_v grown = gs_mul(e, gs_fma(e, gs_fma(e, gs_v_of(0x1.5555555555555p-2), gs_v_of(-0.5)), one));
+    const gs_v far = gs_sub(gs_add(log, grown), eq->log);
+    const gs_v near = gs_sub(gs_fma(w, gs_mul(e, gs_v_of(-1.0)), gs_mul(w, gs_v_of(-1.0))), eq->beta);
+    return gs_select(gs_less(one, gs_abs(w)), far, near);
+}
+
+/* What a step of Halley's takes from T, for a residual and kappa exp(T). */
+static inline gs_v gs_halley(gs_v residual, gs_v power)
+{
+    const gs_v slope = gs_add(gs_v_of(1.0), power), newton = gs_div(residual, slope);
+    return gs_div(gs_add(residual, residual), gs_fnma(newton, power, gs_add(slope, slope)));
+}
+
+static inline gs_v gs_plain_step(const gs_plain_equation *eq, gs_v t)
+{
+    const gs_v one = gs_v_of(1.0), size = gs_abs(t), faded = gs_exp_minus_range0_lean(size);
+    const gs_mask rising = gs_less(gs_v_of(0.0), t), close = gs_less(size, gs_v_of(GS_SHORT));
+    const gs_v grown = gs_select(rising, gs_div(one, faded), faded), power = gs_mul(eq->kappa, grown);
+    const gs_v gone = gs_mul(t, gs_s_phi1m(gs_select(close, size, gs_v_of(0.25)))); /* +-(1 - exp(-|t|)) */
+    const gs_v change = gs_mul(eq->kappa, gs_mul(gone, gs_select(rising, grown, one)));
+    const gs_v residual = gs_select(close, gs_add(gs_add(eq->total, t), change), gs_add(gs_add(t, eq->beta), power));
+    return gs_sub(t, gs_halley(residual, power));
+}
+
+/* The equation in pairs. */
+typedef struct {
+    gs_vp beta, kappa, total;
+} gs_vp_equation;
+
+/* T + beta + kappa exp(T), and kappa exp(T): for |T| < GS_SHORT by the power series, */
+static inline gs_v gs_short_residual(const gs_vp_equation *eq, gs_v t, gs_v *power)
+{
+    const gs_vp time = gs_vp_load(t), back = gs_vp_load(gs_mul(t, gs_v_of(-1.0)));
+    const gs_vp more = gs_vp_add(gs_vp_constant(1.0), gs_vp_mul(time, gs_vp_second(back)));
+    const gs_vp change = gs_vp_mul(eq->kappa, gs_vp_mul(time, more));
+    *power = gs_add(eq->kappa.hi, change.hi);
+    return gs_vp_value(gs_vp_add(gs_vp_add(eq->total, time), change));
+}
+
+/* for others by exp(-|T|) */
+static inline gs_v gs_long_residual(const gs_vp_equation *eq, gs_v t, gs_v *power)
+{
+    gs_vp faded;
+    faded.hi = gs_exp_minus_range0_pair(gs_abs(t), gs_v_of(0.0), &faded.lo);
+    const gs_vp inverse = gs_vp_div(gs_vp_constant(1.0), faded);
+    const gs_vp grown = gs_vp_mul(eq->kappa, gs_vp_select(gs_less(gs_v_of(0.0), t), inverse, faded));
+    *power = grown.hi;
+    return gs_vp_value(gs_vp_add(gs_vp_add(gs_vp_load(t), eq->beta), grown));
+}
+
+static inline gs_vp gs_last_step(const gs_vp_equation *eq, gs_v t)
+{
+    const gs_mask close = gs_less(gs_abs(t), gs_v_of(GS_SHORT));
+    gs_v residual, power;
+    if (gs_all(close))
+        residual = gs_short_residual(eq, t, &power);
+    else {
+        residual = gs_long_residual(eq, t, &power);
+        if (gs_bits_of(close)) {
+            gs_v other;
+            const gs_v by_series = gs_short_residual(eq, gs_select(close, t, gs_v_of(0.25)), &other);
+            residual = gs_select(close, by_series, residual);
+            power = gs_select(close, other, power);
+        }
+    }
+    return gs_vp_sum(t, gs_mul(gs_halley(residual, power), gs_v_of(-1.0)));
+}
+
+static inline gs_vp gs_vp_root_from(const gs_plain_equation *eq, const gs_vp_equation *pairs, gs_v w, gs_vp d)
+{
+    return gs_vp_div(gs_last_step(pairs, gs_plain_step(eq, gs_time_of(eq, w))), d);
+}
+
+static inline gs_mask gs_is_some(gs_v a, gs_v c, gs_v d)
+{
+    const gs_v zero = gs_v_of(0.0);
+    return gs_both(gs_less(zero, gs_abs(a)), gs_both(gs_less(zero, gs_abs(c)), gs_less(zero, gs_abs(d))));
+}
+
+/* Roots by W0 and W-1; NaN where there is none. */
+static inline gs_vp_roots_values gs_vp_roots(gs_vp a, gs_vp b, gs_vp c, gs_vp d, gs_mask *good)
+{
+    const gs_vp one = gs_vp_constant(1.0), nothing = gs_vp_load(gs_v_of(NAN));
+    const gs_mask some = gs_is_some(a.hi, c.hi, d.hi);
+    const gs_vp unit = gs_vp_select(some, d, one), rate = gs_vp_div(unit, gs_vp_select(some, a, one));
+    const gs_v sum = gs_add(b.hi, c.hi);
+    const gs_vp beta = gs_vp_mul(b, rate), kappa = gs_vp_mul(c, rate);
+    const gs_vp total = gs_vp_mul(gs_vp_of(sum, gs_sum_rest(b.hi, c.hi, sum)), rate);
+    gs_mask served, none;
+    const gs_plain_equation eq =
+        gs_equation_in(gs_vp_value(beta), gs_vp_value(kappa), gs_vp_value(total), &served, &none);
+    const gs_vp_equation pairs = {gs_vp_select(served, beta, one), gs_vp_select(served, kappa, one),
+                                  gs_vp_select(served, total, gs_vp_constant(2.0))};
+    const gs_v w = gs_principal_start(&eq);
+    gs_vp_roots_values roots = {gs_vp_root_from(&eq, &pairs, w, unit), nothing};
+    if (gs_bits_of(eq.negative))
+        roots.tm1 = gs_vp_select(eq.negative, gs_vp_root_from(&eq, &pairs, gs_lower_start(&eq, w), unit), nothing);
+    roots.t0 = gs_vp_select(none, nothing, roots.t0);
+    *good = gs_both(*good, gs_both(some, gs_either(served, none)));
+    return roots;
+}
+
+static inline gs_v gs_s_root_from(const gs_plain_equation *eq, gs_v w, gs_v d)
+{
+    return gs_div(gs_plain_step(eq, gs_time_of(eq, w)), d);
+}
+
+static inline gs_s_roots_values gs_s_roots(gs_v a, gs_v b, gs_v c, gs_v d, gs_mask *good)
+{
+    const gs_v one = gs_v_of(1.0), nothing = gs_v_of(NAN);
+    const gs_mask some = gs_is_some(a, c, d);
+    const gs_v unit = gs_select(some, d, one), rate = gs_div(unit, gs_select(some, a, one));
+    gs_mask served, none;
+    const gs_plain_equation eq =
+        gs_equation_in(gs_mul(b, rate), gs_mul(c, rate), gs_mul(gs_add(b, c), rate), &served, &none);
+    const gs_v w = gs_principal_start(&eq);
+    gs_s_roots_values roots = {gs_s_root_from(&eq, w, unit), nothing};
+    if (gs_bits_of(eq.negative))
+        roots.tm1 = gs_select(eq.negative, gs_s_root_from(&eq, gs_lower_start(&eq, w), unit), nothing);
+    roots.t0 = gs_select(none, nothing, roots.t0);
+    *good = gs_both(*good, gs_both(some, gs_either(served, none)));
+    return roots;
+}
+
+#endif
 #ifndef GALILEO_SCALED_H
 #define GALILEO_SCALED_H
 
@@ -13699,6 +13926,7 @@ double gs_scaled_projectile_max_range_free(double v, double g);
 double gs_scaled_projectile_max_range_drag(double v, double g, double k);
 void gs_scaled_projectile_launch_angles_free(double r, double v, double g, double *low, double *high);
 void gs_scaled_projectile_launch_angles_drag(double r, double v, double g, double k, double *low, double *high);
+void gs_scaled_lambert_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1);
 /* An argument that has a largest value: the float next to that counts as it. */
 double gs_widened_projectile_launch_angles_free(float r, float v, float g);
 double gs_widened_projectile_launch_angles_drag(float r, float v, float g, float k);
@@ -22465,6 +22693,102 @@ void GS_JOIN(gs_projectile_launch_angles_drag_nuf, GS_SUFFIX)(size_t count, cons
     }
 }
 
+/* stable.lambert.linear_exponential_roots, the stable form of projectile.res3, beyond.real-roots.two, beyond.real-roots.one.
+ * Operations: as its cases need, at most a few dozen in pairs. */
+void GS_JOIN(gs_lambert_linear_exponential_roots_n, GS_SUFFIX)(size_t count, const double *a_in, const double *b_in, const double *c_in, const double *d_in, double *t0_out, double *tm1_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v a_here = gs_v_load(a_in + at);
+            const gs_v b_here = gs_v_load(b_in + at);
+            const gs_v c_here = gs_v_load(c_in + at);
+            const gs_v d_here = gs_v_load(d_in + at);
+            gs_mask good = gs_between_or_0(gs_abs(a_here), 0x1p-100, 0x1p+100);
+            good = gs_both(good, gs_between_or_0(gs_abs(b_here), 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(c_here), 0x1p-100, 0x1p+100));
+            good = gs_both(good, gs_between_or_0(gs_abs(d_here), 0x1p-100, 0x1p+100));
+            const gs_v a = gs_select(good, a_here, one);
+            const gs_v b = gs_select(good, b_here, one);
+            const gs_v c = gs_select(good, c_here, one);
+            const gs_v d = gs_select(good, d_here, one);
+            const gs_vp_roots_values roots = gs_vp_roots(gs_vp_load(a), gs_vp_load(b), gs_vp_load(c), gs_vp_load(d), &good);
+            gs_v t0_here = gs_vp_value(roots.t0);
+            gs_v tm1_here = gs_vp_value(roots.tm1);
+            if (!gs_all(good)) {
+                double t0_each[GS_LANES], tm1_each[GS_LANES];
+                gs_v_store(t0_each, t0_here);
+                gs_v_store(tm1_each, tm1_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_lambert_linear_exponential_roots(a_in[at + j], b_in[at + j], c_in[at + j], d_in[at + j], t0_each + j, tm1_each + j);
+                t0_here = gs_v_load(t0_each);
+                tm1_here = gs_v_load(tm1_each);
+            }
+            gs_v_store(t0_out + at, t0_here);
+            gs_v_store(tm1_out + at, tm1_here);
+        }
+        vectors -= block, a_in += block * GS_LANES, b_in += block * GS_LANES, c_in += block * GS_LANES, d_in += block * GS_LANES, t0_out += block * GS_LANES, tm1_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        double pad[6][GS_LANES];
+        GS_JOIN(gs_lambert_linear_exponential_roots_n, GS_SUFFIX)(GS_LANES, gs_padded(pad[0], a_in, rest), gs_padded(pad[1], b_in, rest), gs_padded(pad[2], c_in, rest), gs_padded(pad[3], d_in, rest), pad[4], pad[5]);
+        memcpy(t0_out, pad[4], rest * sizeof *t0_out);
+        memcpy(tm1_out, pad[5], rest * sizeof *tm1_out);
+    }
+}
+
+/* stable.lambert.linear_exponential_roots, the stable form of projectile.res3, beyond.real-roots.two, beyond.real-roots.one.
+ * Operations: as its cases need, at most a few dozen in pairs. */
+void GS_JOIN(gs_lambert_linear_exponential_roots_nf, GS_SUFFIX)(size_t count, const float *a_in, const float *b_in, const float *c_in, const float *d_in, float *t0_out, float *tm1_out)
+{
+    const gs_v one = gs_v_of(1.0);
+    for (size_t vectors = count / GS_LANES; vectors > 0;) {
+        const size_t block = vectors < GS_GROUP ? vectors : GS_GROUP;
+        for (size_t i = 0; i < block; i++) {
+            const size_t at = i * GS_LANES;
+            const gs_v a_here = gs_v_widen(a_in + at);
+            const gs_v b_here = gs_v_widen(b_in + at);
+            const gs_v c_here = gs_v_widen(c_in + at);
+            const gs_v d_here = gs_v_widen(d_in + at);
+            gs_mask good = gs_between(gs_abs(a_here), 0.0, 0x1p+128);
+            good = gs_both(good, gs_between(gs_abs(b_here), 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(c_here), 0.0, 0x1p+128));
+            good = gs_both(good, gs_between(gs_abs(d_here), 0.0, 0x1p+128));
+            const gs_v a = gs_select(good, a_here, one);
+            const gs_v b = gs_select(good, b_here, one);
+            const gs_v c = gs_select(good, c_here, one);
+            const gs_v d = gs_select(good, d_here, one);
+            const gs_s_roots_values roots = gs_s_roots(a, b, c, d, &good);
+            gs_v t0_here = roots.t0;
+            gs_v tm1_here = roots.tm1;
+            if (!gs_all(good)) {
+                double t0_each[GS_LANES], tm1_each[GS_LANES];
+                gs_v_store(t0_each, t0_here);
+                gs_v_store(tm1_each, tm1_here);
+                for (size_t j = 0; j < GS_LANES; j++)
+                    if (!(gs_bits_of(good) >> j & 1))
+                        gs_scaled_lambert_linear_exponential_roots(a_in[at + j], b_in[at + j], c_in[at + j], d_in[at + j], t0_each + j, tm1_each + j);
+                t0_here = gs_v_load(t0_each);
+                tm1_here = gs_v_load(tm1_each);
+            }
+            gs_v_narrow(t0_out + at, t0_here);
+            gs_v_narrow(tm1_out + at, tm1_here);
+        }
+        vectors -= block, a_in += block * GS_LANES, b_in += block * GS_LANES, c_in += block * GS_LANES, d_in += block * GS_LANES, t0_out += block * GS_LANES, tm1_out += block * GS_LANES;
+    }
+    const size_t rest = count % GS_LANES;
+    if (rest > 0) {
+        float pad[6][GS_LANES];
+        GS_JOIN(gs_lambert_linear_exponential_roots_nf, GS_SUFFIX)(GS_LANES, gs_padded_single(pad[0], a_in, rest), gs_padded_single(pad[1], b_in, rest), gs_padded_single(pad[2], c_in, rest), gs_padded_single(pad[3], d_in, rest), pad[4], pad[5]);
+        memcpy(t0_out, pad[4], rest * sizeof *t0_out);
+        memcpy(tm1_out, pad[5], rest * sizeof *tm1_out);
+    }
+}
+
 #endif
 
 
@@ -24051,6 +24375,26 @@ void gs_projectile_launch_angles_nuf(size_t n, const float *r, float v, float g,
 {
     GS_CHOOSE(gs_projectile_launch_angles_drag_nuf)(n, r, v, g, k, low, high);
 }
+
+void gs_lambert_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1)
+{
+    GS_CHOOSE_SINGLE(gs_lambert_linear_exponential_roots_n)(1, &a, &b, &c, &d, t0, tm1);
+}
+
+void gs_lambert_linear_exponential_rootsf(float a, float b, float c, float d, float *t0, float *tm1)
+{
+    GS_CHOOSE_SINGLE(gs_lambert_linear_exponential_roots_nf)(1, &a, &b, &c, &d, t0, tm1);
+}
+
+void gs_lambert_linear_exponential_roots_n(size_t n, const double *a, const double *b, const double *c, const double *d, double *t0, double *tm1)
+{
+    GS_CHOOSE(gs_lambert_linear_exponential_roots_n)(n, a, b, c, d, t0, tm1);
+}
+
+void gs_lambert_linear_exponential_roots_nf(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1)
+{
+    GS_CHOOSE(gs_lambert_linear_exponential_roots_nf)(n, a, b, c, d, t0, tm1);
+}
 #undef GS_SUFFIX
 #undef gs_add
 #undef gs_div
@@ -25351,29 +25695,9 @@ void gs_lambert_wm1_nf(size_t n, const float *x, float *w)
 
 /* stable.lambert.linear_exponential_roots, the stable form of projectile.res3, beyond.real-roots.two, beyond.real-roots.one.
  * Operations: as its cases need, at most a few dozen in pairs. */
-void gs_lambert_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1)
+void gs_scaled_lambert_linear_exponential_roots(double a, double b, double c, double d, double *t0, double *tm1)
 {
     gs_linear_exponential_roots(a, b, c, d, t0, tm1);
-}
-
-void gs_lambert_linear_exponential_roots_n(size_t n, const double *a, const double *b, const double *c, const double *d, double *t0, double *tm1)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_lambert_linear_exponential_roots(a[i], b[i], c[i], d[i], t0 + i, tm1 + i);
-}
-
-void gs_lambert_linear_exponential_rootsf(float a, float b, float c, float d, float *t0, float *tm1)
-{
-    double t0_wide, tm1_wide;
-    gs_lambert_linear_exponential_roots((double)a, (double)b, (double)c, (double)d, &t0_wide, &tm1_wide);
-    *t0 = (float)t0_wide;
-    *tm1 = (float)tm1_wide;
-}
-
-void gs_lambert_linear_exponential_roots_nf(size_t n, const float *a, const float *b, const float *c, const float *d, float *t0, float *tm1)
-{
-    for (size_t i = 0; i < n; i++)
-        gs_lambert_linear_exponential_rootsf(a[i], b[i], c[i], d[i], t0 + i, tm1 + i);
 }
 
 /* ---- launch.c ---- */

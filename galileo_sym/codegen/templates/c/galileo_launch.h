@@ -10,7 +10,7 @@
 #ifndef GALILEO_LAUNCH_H
 #define GALILEO_LAUNCH_H
 
-#include "galileo_single.h"
+#include "galileo_solving.h"
 
 #define GS_MOST_ALPHA 0x1p+20  /* sines of the best angle are known well enough from its range */
 #define GS_LEAST_ALPHA 0x1p-100 /* resistance is nothing below */
@@ -40,19 +40,6 @@ typedef struct {
 typedef struct {
     gs_v across, rise, fade;
 } gs_point;
-
-/* log(1 + w)/w, w > 0, within 5e-5. */
-static inline gs_v gs_age(gs_v w)
-{
-    const gs_v one = gs_v_of(1.0), middle = gs_v_of(0x1.6a09e667f3bcdp+1);
-    const gs_v x = gs_add(one, w), m = gs_mantissa(x);
-    const gs_v f = gs_div(gs_sub(m, middle), gs_add(m, middle)), q = gs_mul(f, f);
-    const gs_v odd = gs_mul(f, gs_fma(q, gs_fma(q, gs_v_of(0.4), gs_v_of(0x1.5555555555555p-1)), gs_v_of(2.0)));
-    const gs_v log = gs_fma(gs_exponent(x), gs_v_of(0x1.62e42fefa39efp-1), gs_add(odd, gs_v_of(0x1.0a2b23f3bab73p+0)));
-    const gs_mask small = gs_less(w, gs_v_of(0.125));
-    return gs_div(gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-3), one), log),
-                  gs_select(small, gs_fma(w, gs_v_of(0x1.5555555555555p-1), one), w));
-}
 
 /* 1/sqrt(1 + 2p/3 + p^2) */
 static inline gs_v gs_bend_of(gs_v p)
@@ -173,30 +160,16 @@ static inline gs_vp_best gs_vp_shot(gs_vp alpha, gs_mask *good)
     return shot;
 }
 
-/* Coefficients of phi2 at -s, GS_LAUNCH_PAIRS of them as pairs. */
-@SERIES@
 /* Pairs of across and rise, and fade. */
 typedef struct {
     gs_vp across, rise;
     gs_v fade;
 } gs_vp_point;
 
-/* c + s r, |s r| < |c|. */
-static inline gs_vp gs_vp_horner(const double c[2], gs_vp s, gs_vp r)
-{
-    const gs_vp p = gs_vp_mul(s, r), h = gs_vp_sum(gs_v_of(c[0]), p.hi);
-    return gs_vp_of(h.hi, gs_add(h.lo, gs_add(gs_v_of(c[1]), p.lo)));
-}
-
-/* By the power series of phi2 at -s, s < 3/4: the last terms in plain doubles. */
+/* By the power series of phi2, s < 3/4. */
 static inline gs_vp_point gs_vp_soon(gs_v z, gs_vp s)
 {
-    gs_v tail = gs_v_of(gs_launch_series[GS_LAUNCH_TERMS - 1][0]);
-    for (int k = GS_LAUNCH_TERMS - 2; k >= GS_LAUNCH_PAIRS; k--)
-        tail = gs_fma(s.hi, tail, gs_v_of(gs_launch_series[k][0]));
-    gs_vp second = gs_vp_load(tail);
-    for (int k = GS_LAUNCH_PAIRS - 1; k >= 0; k--)
-        second = gs_vp_horner(gs_launch_series[k], s, second);
+    const gs_vp second = gs_vp_second(s);
     const gs_vp first = gs_vp_sub(gs_vp_constant(1.0), gs_vp_mul(s, second)), time = gs_vp_load(z);
     gs_vp_point at;
     at.across = gs_vp_mul(time, first);
