@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass, replace
 import numpy as np
 
 from .functions import FUNCTIONS
-from .measure import Sample, as_hex, evaluate, first_difference, measure
+from .measure import Sample, as_hex, evaluate, measure, same_bits
 from .screening import Rounded
 from .ulp import rounded_up
 
@@ -114,8 +114,7 @@ def judge(sample, back_ends, record):
         except Exception as cause:  # any failure of a back end is a finding, and the other strata still count
             rows.append(_failure(sample, back_end.name, f"{type(cause).__name__}: {cause}", bound))
             continue
-        differs = None if first is None else first_difference(first, results)
-        if first is not None and differs is None:
+        if first is not None and same_bits(first, results):
             agreeing.append(back_end.name)
             continue
         measurement = measure(sample, results)

@@ -230,19 +230,12 @@ def _errors(sample, results, index):
     return [ulp_error(values[index], enclosure) for values, enclosure in zip(results, exact, strict=True)]
 
 
-def first_difference(first, second):
-    """The first point at which two back ends differ in bits; any NaN equals any other.
-
-    Returns
-    -------
-    int or None
-        Its index, or None if they agree.
-    """
-    for one, other in zip(first, second, strict=True):
-        differing = (one.view(np.uint64) != other.view(np.uint64)) & ~(np.isnan(one) & np.isnan(other))
-        if differing.any():
-            return int(np.flatnonzero(differing)[0])
-    return None
+def same_bits(first, second):
+    """Whether two back ends agree in all bits; any NaN equals any other."""
+    return all(
+        np.all((one.view(np.uint64) == other.view(np.uint64)) | (np.isnan(one) & np.isnan(other)))
+        for one, other in zip(first, second, strict=True)
+    )
 
 
 def as_hex(point):
