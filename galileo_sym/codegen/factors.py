@@ -70,7 +70,9 @@ def _each(kernel, kind, prefix, head):
         f"    if (aside.count > 0) {{\n        {name}_aside(&aside);\n"
         f"        {prefix}put_back(&aside, value);\n    }}\n}}\n"
         f"static inline {kind} {name}({kind} x)\n{{\n"
-        f"    {kind} value;\n    {name}_each(1, &x, &value);\n    return value;\n}}\n\n"
+        f"    const gs_mask here = {_which(kernel.ranges[0], kernel, head.replace('[i]', ''))};\n"
+        f"    {kind} value;\n    if (gs_all(here))\n        return {name}_served0(here, x);\n"
+        f"    {name}_each(1, &x, &value);\n    return value;\n}}\n\n"
     )
 
 

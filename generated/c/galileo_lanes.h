@@ -270,7 +270,10 @@ static inline void gs_vp_phi1m_each(size_t block, const gs_vp *x, gs_vp *value)
 }
 static inline gs_vp gs_vp_phi1m(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.a400000000000p+4));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_phi1m_served0(here, x);
     gs_vp_phi1m_each(1, &x, &value);
     return value;
 }
@@ -330,7 +333,10 @@ static inline void gs_vp_phi2m_each(size_t block, const gs_vp *x, gs_vp *value)
 }
 static inline gs_vp gs_vp_phi2m(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.a400000000000p+4));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_phi2m_served0(here, x);
     gs_vp_phi2m_each(1, &x, &value);
     return value;
 }
@@ -390,7 +396,10 @@ static inline void gs_vp_descent_factor_each(size_t block, const gs_vp *x, gs_vp
 }
 static inline gs_vp gs_vp_descent_factor(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.2c00000000000p+3));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_descent_factor_served0(here, x);
     gs_vp_descent_factor_each(1, &x, &value);
     return value;
 }
@@ -440,7 +449,10 @@ static inline void gs_vp_flight_factor_each(size_t block, const gs_vp *x, gs_vp 
 }
 static inline gs_vp gs_vp_flight_factor(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.7e80000000000p+7));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_flight_factor_served0(here, x);
     gs_vp_flight_factor_each(1, &x, &value);
     return value;
 }
@@ -500,7 +512,10 @@ static inline void gs_vp_range_factor_each(size_t block, const gs_vp *x, gs_vp *
 }
 static inline gs_vp gs_vp_range_factor(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.e000000000000p+2));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_range_factor_served0(here, x);
     gs_vp_range_factor_each(1, &x, &value);
     return value;
 }
@@ -560,7 +575,10 @@ static inline void gs_vp_range_loss_each(size_t block, const gs_vp *x, gs_vp *va
 }
 static inline gs_vp gs_vp_range_loss(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.e000000000000p+2));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_range_loss_served0(here, x);
     gs_vp_range_loss_each(1, &x, &value);
     return value;
 }
@@ -630,7 +648,10 @@ static inline void gs_vp_grown_balance_each(size_t block, const gs_vp *x, gs_vp 
 }
 static inline gs_vp gs_vp_grown_balance(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.e000000000000p+2));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_grown_balance_served0(here, x);
     gs_vp_grown_balance_each(1, &x, &value);
     return value;
 }
@@ -700,7 +721,10 @@ static inline void gs_vp_max_range_factor_each(size_t block, const gs_vp *x, gs_
 }
 static inline gs_vp gs_vp_max_range_factor(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.e000000000000p+2));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_max_range_factor_served0(here, x);
     gs_vp_max_range_factor_each(1, &x, &value);
     return value;
 }
@@ -760,7 +784,10 @@ static inline void gs_vp_acot_each(size_t block, const gs_vp *x, gs_vp *value)
 }
 static inline gs_vp gs_vp_acot(gs_vp x)
 {
+    const gs_mask here = gs_within(x.hi, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_acot_served0(here, x);
     gs_vp_acot_each(1, &x, &value);
     return value;
 }

@@ -158,7 +158,10 @@ static inline void gs_s_phi1m_each(size_t block, const gs_v *x, gs_v *value)
 }
 static inline gs_v gs_s_phi1m(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_phi1m_served0(here, x);
     gs_s_phi1m_each(1, &x, &value);
     return value;
 }
@@ -209,7 +212,10 @@ static inline void gs_s_phi2m_each(size_t block, const gs_v *x, gs_v *value)
 }
 static inline gs_v gs_s_phi2m(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_phi2m_served0(here, x);
     gs_s_phi2m_each(1, &x, &value);
     return value;
 }
@@ -260,7 +266,10 @@ static inline void gs_s_descent_factor_each(size_t block, const gs_v *x, gs_v *v
 }
 static inline gs_v gs_s_descent_factor(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.2c00000000000p+3));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_descent_factor_served0(here, x);
     gs_s_descent_factor_each(1, &x, &value);
     return value;
 }
@@ -304,7 +313,10 @@ static inline void gs_s_flight_factor_each(size_t block, const gs_v *x, gs_v *va
 }
 static inline gs_v gs_s_flight_factor(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.7e80000000000p+7));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_flight_factor_served0(here, x);
     gs_s_flight_factor_each(1, &x, &value);
     return value;
 }
@@ -355,7 +367,10 @@ static inline void gs_s_range_factor_each(size_t block, const gs_v *x, gs_v *val
 }
 static inline gs_v gs_s_range_factor(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_range_factor_served0(here, x);
     gs_s_range_factor_each(1, &x, &value);
     return value;
 }
@@ -406,7 +421,10 @@ static inline void gs_s_range_loss_each(size_t block, const gs_v *x, gs_v *value
 }
 static inline gs_v gs_s_range_loss(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_range_loss_served0(here, x);
     gs_s_range_loss_each(1, &x, &value);
     return value;
 }
@@ -464,7 +482,10 @@ static inline void gs_s_grown_balance_each(size_t block, const gs_v *x, gs_v *va
 }
 static inline gs_v gs_s_grown_balance(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_grown_balance_served0(here, x);
     gs_s_grown_balance_each(1, &x, &value);
     return value;
 }
@@ -522,7 +543,10 @@ static inline void gs_s_max_range_factor_each(size_t block, const gs_v *x, gs_v 
 }
 static inline gs_v gs_s_max_range_factor(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_max_range_factor_served0(here, x);
     gs_s_max_range_factor_each(1, &x, &value);
     return value;
 }
@@ -573,7 +597,10 @@ static inline void gs_s_acot_each(size_t block, const gs_v *x, gs_v *value)
 }
 static inline gs_v gs_s_acot(gs_v x)
 {
+    const gs_mask here = gs_within(x, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_acot_served0(here, x);
     gs_s_acot_each(1, &x, &value);
     return value;
 }

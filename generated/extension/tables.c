@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "a41f25a7ef01b3daaf6ecdfb3de19588057c467bdd2932f3d70b58fa8136fff9";
+const char gs_sources[] = "8d98e542fd076cb568d2d92fe56d37f3340b964750d356ceb3b6063a8c91db23";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};

@@ -8939,7 +8939,10 @@ static inline void gs_vp_descent_factor_each(size_t block, const gs_vp *x, gs_vp
 }
 static inline gs_vp gs_vp_descent_factor(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.2c00000000000p+3));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_descent_factor_served0(here, x);
     gs_vp_descent_factor_each(1, &x, &value);
     return value;
 }
@@ -9221,7 +9224,10 @@ static inline void gs_vp_max_range_factor_each(size_t block, const gs_vp *x, gs_
 }
 static inline gs_vp gs_vp_max_range_factor(gs_vp x)
 {
+    const gs_mask here = gs_less(x.hi, gs_v_of(0x1.e000000000000p+2));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_max_range_factor_served0(here, x);
     gs_vp_max_range_factor_each(1, &x, &value);
     return value;
 }
@@ -9281,7 +9287,10 @@ static inline void gs_vp_acot_each(size_t block, const gs_vp *x, gs_vp *value)
 }
 static inline gs_vp gs_vp_acot(gs_vp x)
 {
+    const gs_mask here = gs_within(x.hi, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
     gs_vp value;
+    if (gs_all(here))
+        return gs_vp_acot_served0(here, x);
     gs_vp_acot_each(1, &x, &value);
     return value;
 }
@@ -11991,7 +12000,10 @@ static inline void gs_s_phi1m_each(size_t block, const gs_v *x, gs_v *value)
 }
 static inline gs_v gs_s_phi1m(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_phi1m_served0(here, x);
     gs_s_phi1m_each(1, &x, &value);
     return value;
 }
@@ -12042,7 +12054,10 @@ static inline void gs_s_phi2m_each(size_t block, const gs_v *x, gs_v *value)
 }
 static inline gs_v gs_s_phi2m(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.a400000000000p+4));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_phi2m_served0(here, x);
     gs_s_phi2m_each(1, &x, &value);
     return value;
 }
@@ -12093,7 +12108,10 @@ static inline void gs_s_descent_factor_each(size_t block, const gs_v *x, gs_v *v
 }
 static inline gs_v gs_s_descent_factor(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.2c00000000000p+3));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_descent_factor_served0(here, x);
     gs_s_descent_factor_each(1, &x, &value);
     return value;
 }
@@ -12137,7 +12155,10 @@ static inline void gs_s_flight_factor_each(size_t block, const gs_v *x, gs_v *va
 }
 static inline gs_v gs_s_flight_factor(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.7e80000000000p+7));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_flight_factor_served0(here, x);
     gs_s_flight_factor_each(1, &x, &value);
     return value;
 }
@@ -12334,7 +12355,10 @@ static inline void gs_s_max_range_factor_each(size_t block, const gs_v *x, gs_v 
 }
 static inline gs_v gs_s_max_range_factor(gs_v x)
 {
+    const gs_mask here = gs_less(x, gs_v_of(0x1.e000000000000p+2));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_max_range_factor_served0(here, x);
     gs_s_max_range_factor_each(1, &x, &value);
     return value;
 }
@@ -12385,7 +12409,10 @@ static inline void gs_s_acot_each(size_t block, const gs_v *x, gs_v *value)
 }
 static inline gs_v gs_s_acot(gs_v x)
 {
+    const gs_mask here = gs_within(x, gs_v_of(0x1.2000000000000p-2), gs_v_of(0x1.0000000000000p+100));
     gs_v value;
+    if (gs_all(here))
+        return gs_s_acot_served0(here, x);
     gs_s_acot_each(1, &x, &value);
     return value;
 }
