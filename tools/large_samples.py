@@ -32,9 +32,8 @@ HEAD = """\
 
 Made by `make large-samples` on {date}; not written by hand. Seed {seed}, {points} points in each stratum of
 `galileo_sym/verify` (typical inputs, tiny and huge forces, range ends, singular places ...), {total} in all; strata
-that are lists have their own number. Each back end ({back_ends}) is held against certain enclosures in ball arithmetic,
-and to the bits of the first, but for functions whose C is made of fused multiply-adds: those may differ in the last
-place. {unfused} have none.
+that are lists have their own number. Each back end ({back_ends}) is held against certain enclosures in ball arithmetic.
+They may differ in the last place: in C multiplications are fused with additions.
 
 Errors are sampled maxima, rounded up: the true maximum is at least about as large. Their unit is an ulp of the exact
 result, but for those with a number: {units}.
@@ -126,7 +125,6 @@ def page(found, run, back_ends):
         total=sum(row["points"] for row in found.values()),
         back_ends=", ".join(back_ends),
         units="; ".join(f"({number}) {unit}" for number, unit in enumerate(notes, 1)) or "none here",
-        unfused=", ".join(f"`{name}`" for name, row in FUNCTIONS.items() if not row.fused),
         mark=MARK,
         **run,
     )
