@@ -249,7 +249,7 @@ def spoiled(tmp_path):
 
 def test_other_bits_in_one_version_are_found(compiled_once, spoiled, capsys):
     folder = spoiled("a product rounded")
-    assert same_bits.main(["phi1m", "--count", "300000", "--sources", str(folder)]) == 1
+    assert same_bits.main(["phi1m", "--count", "100000", "--sources", str(folder)]) == 1
     _, *examples = capsys.readouterr().out.splitlines()
     assert examples
     assert all("avx2 and " in example for example in examples)
