@@ -8,7 +8,7 @@
 
 #include "galileo_pairs.h"
 
-#define GS_GROUP 8 /* vectors that one loop leaves to the next: some kilobytes */
+#define GS_GROUP 16 /* vectors that one loop leaves to the next: some kilobytes */
 
 typedef struct {
     gs_v hi, lo;

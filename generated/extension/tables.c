@@ -17,7 +17,7 @@
 #define GS_X(type, i) (((const type *)in)[i])
 #define GS_Y(type, i) (((type *)out)[i])
 
-const char gs_sources[] = "8d98e542fd076cb568d2d92fe56d37f3340b964750d356ceb3b6063a8c91db23";
+const char gs_sources[] = "5e1e68c13ee0298dfb642c26eeef0ab19816e159771c7c77873297c10c40347a";
 
 static const gs_interval gs_positive = {{DBL_TRUE_MIN, FLT_TRUE_MIN}, INFINITY};
 static const gs_interval gs_nonnegative = {{0.0, 0.0}, INFINITY};

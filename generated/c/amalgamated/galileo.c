@@ -8579,7 +8579,7 @@ static inline gs_v gs_acot_range2_pair(gs_v x, gs_v x_lo, gs_v *lo)
 
 #endif
 
-#define GS_GROUP 8 /* vectors that one loop leaves to the next: some kilobytes */
+#define GS_GROUP 16 /* vectors that one loop leaves to the next: some kilobytes */
 
 typedef struct {
     gs_v hi, lo;
