@@ -1,7 +1,7 @@
 """Axes as arrays that broadcast to the grid, and the arrays that outputs are written to."""
 
 from itertools import accumulate
-from math import prod
+from math import isnan, prod
 
 import numpy as np
 
@@ -109,7 +109,7 @@ def _as_array(operand):
     """
     if not is_lazy(operand):
         return np.asarray(operand)
-    if any(length != length for length in operand.shape):  # noqa: PLR0124 (NaN stands for unknown)
+    if any(map(isnan, operand.shape)):  # NaN stands for unknown
         raise ValueError("a dask array has chunks of unknown length: call its compute_chunk_sizes() first")
     return operand
 
