@@ -12,11 +12,11 @@ class Arithmetic:
     """How a form computes: C types, what its operations begin with, and which of them may fail in a lane.
 
     ``kind`` is the type of arguments and results; ``number`` the type of values, ``types`` those of what certain nodes
-    give. ``load``, ``store``, ``padded`` name what moves vectors; ``taken`` makes a vector of a lane's argument,
-    ``rate`` of one that is a rate, ``pair`` a number of such a vector, ``value`` a lane's result of a number;
-    ``widened`` makes a double of an argument for the scaled form. ``ordinary`` tests arguments by domain; ``failing``
-    gives the masks that an operation changes; ``of_kinds`` names the operation in which operands are plain, that is
-    vectors of doubles, where numbers are pairs.
+    give. ``load``, ``store``, ``padded`` name what moves vectors; ``rate`` makes a vector of a lane's argument that
+    is a rate, as others are taken as they are; ``pair`` makes a number of such a vector, ``value`` a lane's result of
+    a number; ``widened`` makes a double of an argument for the scaled form. ``ordinary`` tests arguments by domain;
+    ``failing`` gives the masks that an operation changes; ``of_kinds`` names the operation in which operands are
+    plain, that is vectors of doubles, where numbers are pairs.
     """
 
     kind: str
@@ -26,7 +26,6 @@ class Arithmetic:
     load: str
     store: str
     padded: str
-    taken: str
     rate: str
     pair: str
     value: str
@@ -44,7 +43,6 @@ DOUBLE = Arithmetic(
     load="gs_v_load",
     store="gs_v_store",
     padded="gs_padded",
-    taken="{}",
     rate="gs_felt({})",
     pair="gs_vp_load({})",
     value="gs_vp_value({})",
@@ -75,7 +73,6 @@ SINGLE = Arithmetic(
     load="gs_v_widen",
     store="gs_v_narrow",
     padded="gs_padded_single",
-    taken="{}",
     rate="{}",
     pair="{}",
     value="{}",

@@ -6,7 +6,7 @@ from galileo_sym.codegen.printing import (
     PRIMITIVE_TEXT,
     ROUTINE_TEXT,
     call_text,
-    counts_text,
+    operations_text,
     sources_text,
     undecided_text,
 )
@@ -119,7 +119,7 @@ def _balance(name, plan, unknown):
     values = "".join(f"        {call_text(node, 'gs_')},\n" for node in plan.results)
     lines = [
         f"/* The {', '.join(plan.names)} of the equation that is solved.",
-        f" * Operations: {counts_text(plan)}. */",
+        f" * {operations_text(plan)} */",
         f"static gs_balance {name}({parameters})",
         "{",
         *(_assignment(*step) for step in plan.steps),
@@ -184,7 +184,7 @@ def kernel(function, force_set):
     inside = " && ".join(f"{_DOMAIN_TESTS[a.domain]}({a.name}_in)" for a in arguments)
     lines = [
         f"/* {sources_text(function, force_set)}.",
-        f" * Operations: {counts_text(plan)}. */",
+        f" * {operations_text(plan)} */",
         head,
         "{",
         *_guard(function, missing, "NAN"),

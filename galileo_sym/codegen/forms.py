@@ -6,11 +6,11 @@ those alone is computed once. It goes over blocks of vectors, in one loop for ea
 """
 
 from galileo_sym.codegen.arithmetic import SINGLE, call_text, is_rate, size_of
-from galileo_sym.codegen.hoisting import hoisted
+from galileo_sym.codegen.hoisting import hoisted, names_in
 from galileo_sym.codegen.lane_steps import lane_schedule, told_name
-from galileo_sym.codegen.printing import operations_text, sources_text
+from galileo_sym.codegen.printing import ROUTINE_TEXT, operations_text, sources_text
 from galileo_sym.codegen.signatures import ARRAYS, is_single, letter, name_of, parameters, scaled_name, widened_name
-from galileo_sym.codegen.stages import divided, names_in, operations_in
+from galileo_sym.codegen.stages import divided, operations_in
 
 _ALONE = {"sine": "sine_of", "cosine": "cosine_of"}
 _AT_REST = {0.0: "gs_v_of(0.0)", float("inf"): "gs_v_of(INFINITY)"}
@@ -47,7 +47,7 @@ class _Form:
         signature = ", ".join(f"{kind}{name}" for (kind, _), name in zip(given, names, strict=True))
         return [
             f"/* {sources_text(self.function, self.force_set)}.",
-            f" * {operations_text(self.function, self.plan)} */",
+            f" * {ROUTINE_TEXT if self.function.routine else operations_text(self.plan)} */",
             f"void {self.name}({signature})",
         ]
 
@@ -69,7 +69,7 @@ class _Form:
         """Lines that take those arguments that are named as numbers: 1 in lanes that are not served."""
         lines = []
         for a in (a for a in arguments if self.told(a) in names):
-            taken = self.arithmetic.rate if is_rate(a) else self.arithmetic.taken
+            taken = self.arithmetic.rate if is_rate(a) else "{}"
             lines.append(f"const gs_v {self.told(a)} = {taken.format(f'gs_select({mask}, {a.name}_here, one)')};")
         return lines + ["const gs_v theta_used = gs_select(good, theta_here, one);"] * ("theta_used" in names)
 
@@ -196,9 +196,9 @@ class _Form:
             return []
         numbers = [name for stage in stages for name in (*stage.left, *(call[0] for call in stage.calls))]
         lines = [f"gs_mask {', '.join(f'{mask}_kept[GS_GROUP]' for mask in self.kept)};"]
-        return lines + [f"{self.arithmetic.number} {', '.join(f'{n}_kept[GS_GROUP]' for n in numbers)};"] * bool(
-            numbers
-        )
+        if numbers:
+            lines.append(f"{self.arithmetic.number} {', '.join(f'{name}_kept[GS_GROUP]' for name in numbers)};")
+        return lines
 
     def advance(self):
         """The line that goes on to the next block."""

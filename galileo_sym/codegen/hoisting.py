@@ -17,13 +17,18 @@ def operands_of(node):
     return () if isinstance(node, str) else tuple(o for o in node[1:] if isinstance(o, str | tuple))
 
 
+def names_in(*nodes):
+    """Return the names in nodes."""
+    return {n for node in nodes for n in ([node] if isinstance(node, str) else names_in(*operands_of(node)))}
+
+
 class _Hoister:
     def __init__(self, varying):
         self.varying, self.named, self.found = set(varying), {}, Hoisted()
 
     def varies(self, node):
         """Whether a node depends on an array."""
-        return node in self.varying if isinstance(node, str) else any(map(self.varies, operands_of(node)))
+        return not self.varying.isdisjoint(names_in(node))
 
     def left(self, node):
         """A node of the loop, with names, given once, for what in it does not vary."""

@@ -1,6 +1,6 @@
 """A schedule's steps as forms on vectors take them: below a ceiling, and what solves in two parts."""
 
-from galileo_sym.codegen.hoisting import operands_of
+from galileo_sym.codegen.hoisting import names_in
 from galileo_sym.codegen.schedule import Schedule, schedule
 
 _TOLD = "{}_told"
@@ -11,16 +11,12 @@ def told_name(function, symbol):
     return _TOLD.format(symbol) if function.ceiling and function.ceiling.argument == symbol else symbol
 
 
-def _depends(node, names):
-    return node in names if isinstance(node, str) else any(_depends(operand, names) for operand in operands_of(node))
-
-
 def _below(function, plan):
     """Steps with the ceiling's argument taken after all that does not depend on it: `below` tells lanes apart."""
     symbol = function.ceiling.argument
     before, after, found = [], [], {symbol}
     for name, node in plan.steps:
-        if _depends(node, found):
+        if not found.isdisjoint(names_in(node)):
             found.add(name)
         (after if name in found else before).append((name, node))
     return [*before, ("most", plan.limit.most), (symbol, ("below", _TOLD.format(symbol), "most")), *after]

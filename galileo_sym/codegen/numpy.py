@@ -4,7 +4,7 @@ import re
 
 from galileo_sym.catalogue import FUNCTIONS
 from galileo_sym.codegen.numpy_forms import docstring, form, kernel_name, on_pairs, scaled_module_name
-from galileo_sym.codegen.printing import PRIMITIVE_TEXT, ROUTINE_TEXT, call_text, counts_text, undecided_text
+from galileo_sym.codegen.printing import PRIMITIVE_TEXT, ROUTINE_TEXT, call_text, operations_text, undecided_text
 from galileo_sym.codegen.schedule import TABLE_CALLS, balance_name, schedule
 from galileo_sym.solvers import SOLVERS
 
@@ -96,7 +96,7 @@ def _balance(name, plan, unknown):
     return (
         f"def {name}({', '.join(unknown)}):\n"
         f'    """The {", ".join(plan.names)} of the equation that is solved.\n\n'
-        f'    Operations: {counts_text(plan)}.\n    """\n{steps}    return Balance(\n{values}    )\n'
+        f'    {operations_text(plan)}\n    """\n{steps}    return Balance(\n{values}    )\n'
     )
 
 
@@ -132,7 +132,7 @@ def kernel(function, force_set):
     clashes, undecided = _undecided(function, force_set)
     lines = [
         f"def {kernel_name(function, force_set)}({', '.join([*names, *(['most'] if plan.limit else [])])}):",
-        docstring(function, force_set, f"Operations: {counts_text(plan)}.").rstrip("\n"),
+        docstring(function, force_set, operations_text(plan)).rstrip("\n"),
         "    arguments, void = admit(",
         *(f'        ({a.name}, "{a.domain}"),' for a in arguments),
         "    )",
@@ -226,7 +226,7 @@ def _public_kernel(function, force_set):
     if on_pairs(function):
         return form(function, force_set)
     evaluate = f"{scaled_module_name(function.paper)}.{kernel_name(function, force_set)}"
-    return _chunked(function, force_set, f"Operations: {counts_text(schedule(function, force_set))}.", evaluate)
+    return _chunked(function, force_set, operations_text(schedule(function, force_set)), evaluate)
 
 
 def module(paper):

@@ -7,7 +7,7 @@ where what depends on those alone is computed once.
 from galileo_sym.codegen import lanes
 from galileo_sym.codegen.arithmetic import is_rate, size_of
 from galileo_sym.codegen.hoisting import hoisted
-from galileo_sym.codegen.printing import call_text, counts_text, sources_text
+from galileo_sym.codegen.printing import call_text, operations_text, sources_text
 from galileo_sym.codegen.schedule import schedule
 
 _WITH_LANES = ("driving", "phi0m", "range_balance")  # not good, or at rest, in some lanes
@@ -138,7 +138,7 @@ def form(function, force_set):
         "",
         "",
         f"def {name}({names.rstrip(',')}):",
-        docstring(function, force_set, f"Operations: {counts_text(plan)}.").rstrip("\n"),
+        docstring(function, force_set, operations_text(plan)).rstrip("\n"),
         f"    return serve({row}, ({names}))",
     ]
     return "\n".join(text) + "\n"

@@ -32,9 +32,9 @@ def counts_text(schedule):
     return ", ".join(f"{count} {kind}" for kind, count in sorted(schedule.counts.items())) or "no operations"
 
 
-def operations_text(function, schedule):
+def operations_text(schedule):
     """Return a sentence on the operations of a kernel."""
-    return ROUTINE_TEXT if function.routine else f"Operations: {counts_text(schedule)}."
+    return f"Operations: {counts_text(schedule)}."
 
 
 def sources_text(function, force_set):

@@ -11,6 +11,7 @@ from functools import reduce
 from sympy import Add, Function, Integer, Mul, Number, Pow, Rational, Symbol, cos, exp, pi, sin
 
 from galileo_sym.catalogue import FUNCTIONS, NAMED, PURE, in_catalogue_symbols, stable
+from galileo_sym.codegen.products import powers_of, shared_factor
 from galileo_sym.primitives import driving, phi1, phi2
 from galileo_sym.solvers import SOLVERS
 
@@ -98,19 +99,6 @@ def _count(node, total):
             _count(operand, total)
 
 
-def _powers(expression):
-    """Exponents of a product's factors by their bases; an exponential is a base of its own, no power of e."""
-    total = Counter()
-    for factor in Mul.make_args(expression):
-        if isinstance(factor, exp):
-            total.update({factor: Integer(1)})
-            continue
-        for base, exponent in factor.as_powers_dict().items():
-            inside = _powers(base) if base.is_Mul else {base: Integer(1)}
-            total.update({b: e * exponent for b, e in inside.items()})
-    return total
-
-
 def _product(nodes):
     """Node of a product, from left to right."""
     return reduce(lambda x, y: ("mul", x, y), nodes)
@@ -185,7 +173,7 @@ class _Scheduler:
 
     def product(self, expression):
         """Node of a product or power: named factors first, square roots gathered into one."""
-        powers = _powers(expression)
+        powers = powers_of(expression)
         for name, form in self.named:
             powers = self._factor_out(name, form, powers)
         whole = {b: e for b, e in powers.items() if e.is_Integer}
@@ -197,7 +185,7 @@ class _Scheduler:
         return node
 
     def _factor_out(self, name, form, powers):
-        wanted = {b: e for b, e in _powers(form).items() if not b.is_Number}
+        wanted = {b: e for b, e in powers_of(form).items() if not b.is_Number}
         if not all(b in powers and powers[b] / e >= 1 for b, e in wanted.items()):
             return powers
         left = {b: e - wanted.get(b, 0) for b, e in powers.items()}
@@ -260,15 +248,6 @@ _LOWERING = {
 }
 
 
-def _shared_factor(forms):
-    """Return the product of the factors that all outputs have in common, without numbers; 1 if there is none."""
-    powers = [_powers(form) for form in forms if form != 0]
-    if len(powers) < 2 or any(form.is_Add for form in forms):
-        return Integer(1)
-    common = {b: min(p[b] for p in powers) for b in powers[0] if not b.is_Number and all(b in p for p in powers)}
-    return Mul(*(b**e for b, e in common.items()))
-
-
 def schedule(function, force_set):
     """Plan one kernel.
 
@@ -320,7 +299,7 @@ def balance_name(function, force_set):
 
 def _share(forms, scheduler):
     """Forms with their common factor named."""
-    shared = _shared_factor(forms)
+    shared = shared_factor(forms)
     if not shared.is_Mul:
         return forms
     symbol = Symbol("shared")

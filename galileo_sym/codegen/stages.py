@@ -9,7 +9,7 @@ own, where arguments of one range can be served together.
 from dataclasses import dataclass, field
 
 from galileo_sym.codegen.factors import FACTORS
-from galileo_sym.codegen.hoisting import operands_of
+from galileo_sym.codegen.hoisting import names_in, operands_of
 
 _OF_ANGLES = {"angle", "sine", "cosine", "sine_of", "cosine_of", "driving"}
 _SLOW = {"div", "sqrt"}
@@ -27,11 +27,6 @@ class Stage:
     taken: list = field(default_factory=list)
     left: list = field(default_factory=list)
     calls: list = field(default_factory=list)
-
-
-def names_in(*nodes):
-    """The names in nodes."""
-    return {n for node in nodes for n in ([node] if isinstance(node, str) else names_in(*operands_of(node)))}
 
 
 def operations_in(*nodes):
